@@ -1,13 +1,13 @@
 // seamless parametrize IN OUT: from a plain triangle mesh to an exactly seamless parametrization.
 
 #include "Failure.h"
+#include "Feature_options.h"
 #include "Model.h"
 #include "Options.h"
 #include "Progress.h"
 #include "Repairs.h"
 #include "commands.h"
 #include "directions.h"
-#include "features.h"
 #include "files.h"
 #include "json_report.h"
 #include "pictures/picture.h"

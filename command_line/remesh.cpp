@@ -1,6 +1,7 @@
 // seamless remesh IN OUT: from a triangle mesh to a quad mesh.
 
 #include "Failure.h"
+#include "Feature_options.h"
 #include "Options.h"
 #include "Progress.h"
 #include "Repairs.h"
@@ -8,7 +9,6 @@
 #include "attributes.h"
 #include "commands.h"
 #include "directions.h"
-#include "features.h"
 #include "files.h"
 #include "json_report.h"
 #include "patches.h"

@@ -1,4 +1,4 @@
-#include "features.h"
+#include "Feature_options.h"
 
 #include "Options.h"
 #include "words.h"

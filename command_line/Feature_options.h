@@ -1,7 +1,7 @@
 // The features of a mesh before a parametrization: which edges of a model are some.
 
-#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_FEATURES_H
-#define SEAMLESS_SNAPPING_COMMAND_LINE_FEATURES_H
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_FEATURE_OPTIONS_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_FEATURE_OPTIONS_H
 
 #include "Model.h"
 
@@ -37,4 +37,4 @@ struct Feature_options
 // features any more.
 std::size_t release_one_of_three(const Mesh& mesh, Edge_bool_map& is_feature);
 
-#endif // SEAMLESS_SNAPPING_COMMAND_LINE_FEATURES_H
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_FEATURE_OPTIONS_H
