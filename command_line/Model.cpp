@@ -8,6 +8,8 @@
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/IO/PLY.h>
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
@@ -152,6 +154,12 @@ bool reads_back(const Model& model, const SS::IO::Mesh_text& text, const bool is
 }
 
 } // namespace
+
+double diagonal(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
 
 Size_near_one::Size_near_one(Mesh& mesh)
   : m_mesh(mesh), m_points(mesh.points().begin(), mesh.points().end())

@@ -43,6 +43,9 @@ struct Model
               number_of_coinciding_border_edges = 0;
 };
 
+// Of the bounding box.
+double diagonal(const Mesh& mesh);
+
 // While it lives, all points are multiplied by a power of two, such that products of lengths neither
 // overflow nor vanish.
 class Size_near_one

@@ -12,7 +12,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_2_algorithms.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -150,12 +149,8 @@ std::size_t count_faces_without_area(const Mesh& mesh)
     }));
 }
 
-// A millionth of the diagonal, as of points that were rounded.
-double small_distance(const Mesh& mesh)
-{
-  const CGAL::Bbox_3 box = PMP::bbox(mesh);
-  return 1e-6 * std::hypot(box.x_span(), box.y_span(), box.z_span());
-}
+// As of points that were rounded.
+double small_distance(const Mesh& mesh) { return 1e-6 * diagonal(mesh); }
 
 // Counts points of the border that are near to those of another piece. Of the points that follow
 // along a line, a hundred are looked at.

@@ -8,8 +8,6 @@
 
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 
-#include <CGAL/Polygon_mesh_processing/bbox.h>
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -17,12 +15,6 @@
 #include <cstddef>
 #include <ostream>
 #include <vector>
-
-inline double diagonal(const Mesh& mesh)
-{
-  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
-  return std::hypot(box.x_span(), box.y_span(), box.z_span());
-}
 
 // The scaled Jacobians of the quads among the faces, as of a remeshing.
 inline CGAL::Quad_remeshing::Remeshing_report measure_jacobians(const Mesh& mesh)
