@@ -282,7 +282,7 @@ Repairs read_plain_model(const std::string& filename, const Plain_reading_option
                          Model& model)
 {
   model.filename = filename;
-  const Progress progress("reading " + filename);
+  const Progress progress("reading " + filename, options.verbose);
   Polygon_soup soup = read_polygon_soup(filename);
   const std::size_t merged_points = options.merge > 0 ? merge_points(options.merge, soup) : 0;
   Repairs repairs;

@@ -43,6 +43,7 @@ struct Plain_reading_options
   bool features = false; // 'l' elements are features
   bool strict = false;
   double merge = 0; // points no farther apart than this
+  bool verbose = false; // tells of each step; else only of large files
 
   void add_to(Options& options);
 };

@@ -39,7 +39,6 @@ struct Parametrize_options
   double curvature = 0;
   bool align_border = false;
   bool overwrite = false;
-  bool verbose = false;
 
   // Returns whether there is something to do.
   bool parse(const Arguments& arguments)
@@ -65,7 +64,7 @@ struct Parametrize_options
     options.add("picture", "FILE", picture,
                 "draw the domain, and the largest gaps before and after, as .svg");
     options.add("report", "R.json", report, "write all figures to a file");
-    options.add("verbose", verbose, "tell of each step");
+    options.add("verbose", reading.verbose, "tell of each step");
     options.add_alias("svg", "picture");
     if(!options.parse(arguments))
       return false;
@@ -125,13 +124,13 @@ void make_parametrization(const Parametrize_options& options, Model& model, Outc
 {
   const auto alignment = QR::parameters::edge_is_constrained_map(model.is_feature)
                                         .align_border(options.align_border)
-                                        .verbose(options.verbose);
+                                        .verbose(options.reading.verbose);
   const auto is_cut = get(CGAL::dynamic_edge_property_t<bool>(), model.mesh);
   const auto rotation = get(CGAL::dynamic_halfedge_property_t<int>(), model.mesh);
   const auto transitions = alignment.edge_is_cut_map(is_cut).halfedge_rotation_map(rotation);
   const std::string faces = counted(model.mesh.number_of_faces(), "face");
   {
-    const Progress progress("parametrizing " + faces, options.verbose);
+    const Progress progress("parametrizing " + faces, options.reading.verbose);
     outcome.made = QR::approximate_seamless_parametrization(
       model.mesh, model.uv_map,
       transitions.curvature_alignment(options.curvature).release_alignment(true)
@@ -148,7 +147,7 @@ void make_parametrization(const Parametrize_options& options, Model& model, Outc
 
   const Uv_map old_uv_map = copy_of_uv_map(model);
   {
-    const Progress progress("snapping " + faces, options.verbose);
+    const Progress progress("snapping " + faces, options.reading.verbose);
     outcome.snapped = QR::snap_to_seamless(model.mesh, model.uv_map, transitions);
   }
   if(!outcome.snapped)

@@ -76,7 +76,7 @@ struct Remesh_options
   double number = 10000, maximum_number = 0, edge_length = 0, feature_loss = 0, adaptivity = 1;
   Feature_options features;
   std::optional<double> curvature;
-  bool coarsest = false, verbose = false, leaves_out_noise = false;
+  bool coarsest = false, leaves_out_noise = false;
 
   // Returns whether there is something to do.
   bool parse(const Arguments& arguments)
@@ -133,7 +133,7 @@ struct Remesh_options
     options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
     add_patches_to(options, patches);
     options.add("report", "R.json", report, "write all figures to a file");
-    options.add("verbose", verbose, "tell of each step");
+    options.add("verbose", reading.verbose, "tell of each step");
     options.add_alias("quads", "number");
     options.add_alias("svg", "picture");
     options.exclude({"number", "edge-length", "coarsest"});
@@ -244,13 +244,13 @@ QR::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
                                 const std::optional<Kernel::Plane_3>& plane, Located_quads& quads)
 {
   const Progress progress("remeshing " + counted(model.mesh.number_of_faces(), "face"),
-                          options.verbose);
+                          options.reading.verbose);
   const auto parameters =
     QR::parameters::edge_is_constrained_map(model.is_feature)
                    .curvature_alignment(options.curvature).face_direction_map(directions)
                    .curvature_adaptivity(options.adaptivity).vertex_sizing_map(sizes)
                    .symmetry_plane(plane).minimize_number_of_quads(options.coarsest)
-                   .verbose(options.verbose).maximum_feature_loss(options.feature_loss)
+                   .verbose(options.reading.verbose).maximum_feature_loss(options.feature_loss)
                    .target_number_of_quads(static_cast<std::size_t>(options.number));
   const auto make = [&](const auto& np) {
     return QR::quad_remesh(model.mesh, quads.mesh, np,
