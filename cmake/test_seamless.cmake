@@ -431,6 +431,19 @@ foreach(name IN ITEMS rich rich_out)
 endforeach()
 expect("not only coordinates have changed" rich STREQUAL rich_out)
 expect_message("${rich_out}" "usemtl red # the end")
+# but where libraries of materials are, seen from another folder
+foreach(name IN ITEMS a b.mtl "red paint.mtl")
+  file(WRITE "${WORK_DIR}/${name}" "newmtl red\n")
+endforeach()
+file(READ "${WORK_DIR}/rich.obj" text)
+string(APPEND text "\nmtllib red paint.mtl \nmtllib none.mtl\nmtllib \n")
+string(APPEND text "mtllib ${WORK_DIR}/a\n # mtllib a")
+file(WRITE "${WORK_DIR}/rich.obj" "${text}")
+seamless(0 snap rich.obj folder/rich_out.obj)
+file(STRINGS "${WORK_DIR}/folder/rich_out.obj" lines REGEX "mtllib")
+list(JOIN lines "\n" text)
+expect("${text}" text STREQUAL "mtllib ../a ../b.mtl\nmtllib ../red paint.mtl \nmtllib none.mtl\n\
+mtllib \nmtllib ${WORK_DIR}/a\n # mtllib a")
 
 # --- layout
 
@@ -814,6 +827,10 @@ foreach(line IN ITEMS "mtllib square.mtl\n" "o sheet\ng first\nusemtl red\n" "\n
     "v 0 0 0 0 0 0.5\n" "v 1 1 0 1 1 0.5\n" "vt 1 0\n")
   expect_message("${text}" "${line}")
 endforeach()
+file(WRITE "${WORK_DIR}/square.mtl" "newmtl red\n")
+seamless(0 remesh square.obj folder/square_quads.obj --number 16)
+file(STRINGS "${WORK_DIR}/folder/square_quads.obj" lines REGEX "mtllib")
+expect("${lines}" lines STREQUAL "mtllib ../square.mtl")
 string(REGEX MATCHALL "o sheet|g [a-z]+|usemtl red" parts "${text}") # each once
 list(JOIN parts ", " parts)
 expect("${text}" parts STREQUAL "o sheet, g first, usemtl red, g second")

@@ -266,7 +266,9 @@ std::string text_of_model(const Model& model, const std::string& filename)
   SS::IO::Mesh_text written(std::move(text), format);
   if(!reads_back(model, written, is_of_file))
     throw Failure(UNWRITABLE, filename + ": does not read back as it was written; not written");
-  return std::move(written).text();
+  text = std::move(written).text();
+  return is_of_file && format == obj ? with_libraries(std::move(text), model.filename, filename)
+                                     : text;
 }
 
 bool changes_format(const Model& model, const std::string& filename)

@@ -450,15 +450,16 @@ std::vector<Face> ordered_faces(const std::vector<std::size_t>& parts, const Mes
   return result;
 }
 
-std::string OBJ_text(const Model& model, const std::string& text, Located_quads& quads)
+std::string OBJ_text(const Model& model, const std::string& input, Located_quads& quads,
+                     const std::string& filename)
 {
-  const OBJ_attributes file(Mesh_text(text, "obj"));
+  const OBJ_attributes file(Mesh_text(read_file(input), "obj"));
   for(const std::string& lost : file.lost)
     std::cerr << "note: not carried over: " << lost << std::endl;
   std::ostringstream os;
   os.imbue(std::locale::classic());
   os.precision(17);
-  os << file.libraries;
+  os << with_libraries(file.libraries, input, filename);
   write_vertices(model, file, quads, os);
   std::map<Vertex, std::size_t> numbers;
   for(const Vertex v : quads.mesh.vertices())
@@ -502,7 +503,7 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
 {
   const std::string format = is_special_file(filename) ? "obj" : suffix_of(filename);
   if(format == "obj" && !is_special_file(input) && suffix_of(input) == "obj")
-    return OBJ_text(model, read_file(input), quads);
+    return OBJ_text(model, input, quads, filename);
   if(!is_special_file(input) && format != suffix_of(input) &&
      (suffix_of(input) == "obj" || suffix_of(input) == "ply"))
     std::cerr << "note: what " << input << " holds besides the mesh is not in " << filename

@@ -151,6 +151,35 @@ std::string text_of_file(const std::string& filename)
   return text;
 }
 
+// Not that of what a symbolic link leads to: programs look for what belongs to a file beside its name.
+fs::path folder_of(const std::string& filename)
+{
+  std::error_code error;
+  const fs::path folder = fs::absolute(filename, error).parent_path();
+  const fs::path result = fs::weakly_canonical(folder, error);
+  return error ? folder : result;
+}
+
+// The name of a file, which may have blanks, or those of several. What is not there keeps its name.
+std::string moved_names(const std::string& names, const fs::path& old_folder,
+                        const fs::path& new_folder)
+{
+  const auto moved = [&](const std::string& name) {
+    std::error_code error;
+    const fs::path place = (old_folder / name).lexically_relative(new_folder);
+    const bool is_kept =
+      fs::path(name).is_absolute() || place.empty() || !fs::exists(old_folder / name, error);
+    return is_kept ? name : place.generic_string();
+  };
+  if(const std::string result = moved(names); result != names)
+    return result;
+  std::string result;
+  std::istringstream words(names);
+  for(std::string name; words >> name; )
+    result += (result.empty() ? "" : " ") + moved(name);
+  return result;
+}
+
 } // namespace
 
 std::string read_file(const std::string& filename)
@@ -265,6 +294,29 @@ void check_outputs(const std::vector<std::string>& inputs, const std::vector<std
                                     ? "; --overwrite replaces it" : ""));
   }
   std::for_each(outputs.begin(), outputs.end(), check_writable);
+}
+
+std::string with_libraries(std::string text, const std::string& from, const std::string& to)
+{
+  static const std::string keyword = "mtllib ", blanks = " \t", line_ends = "\r\n";
+  if(is_special_file(from) || is_special_file(to))
+    return text;
+  const fs::path old_folder = folder_of(from), new_folder = folder_of(to);
+  if(old_folder == new_folder)
+    return text;
+  for(std::size_t i = 0; (i = text.find(keyword, i)) != text.npos; ) {
+    const std::size_t line = text.find_last_of(line_ends, i) + 1; // 0 in the first one
+    const bool is_first = text.find_first_not_of(blanks, line) == i;
+    i = (std::min)(text.find_first_not_of(blanks, i + keyword.size()), text.size());
+    const std::size_t end = (std::min)(text.find_first_of("#" + line_ends, i), text.size());
+    if(!is_first || i == end)
+      continue;
+    const std::size_t size = text.find_last_not_of(blanks, end - 1) + 1 - i;
+    const std::string names = moved_names(text.substr(i, size), old_folder, new_folder);
+    text.replace(i, size, names);
+    i += names.size();
+  }
+  return text;
 }
 
 std::ostream& summary_stream(const std::vector<std::string>& outputs)

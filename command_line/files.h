@@ -36,6 +36,10 @@ enum class Overwriting { NOT_OFFERED, NOT_ASKED_FOR, ASKED_FOR };
 void check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs,
                    Overwriting overwriting = Overwriting::NOT_OFFERED);
 
+// The text of the .obj file `from`, to be written to `to`: the names of material libraries, which are
+// looked for in the folder of the file, lead to where these are.
+std::string with_libraries(std::string text, const std::string& from, const std::string& to);
+
 // Where to tell what was done: not where a file goes to.
 std::ostream& summary_stream(const std::vector<std::string>& outputs);
 
