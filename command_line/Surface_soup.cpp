@@ -166,15 +166,16 @@ void for_each_key(std::vector<Side>& sides, const Visit& visit)
   }
 }
 
-// Of all polygons, sorted by their points.
-std::vector<Side> all_sides(const Surface_soup& surface)
+// Of all polygons, sorted by their points, or by what is given in place of these.
+std::vector<Side> all_sides(const Surface_soup& surface, const std::vector<std::size_t>& names = {})
 {
+  const auto name = [&](const std::size_t v) { return names.empty() ? v : names[v]; };
   std::vector<Side> sides;
   for(std::size_t f = 0; f < surface.polygons.size(); ++f) {
     const Polygon& polygon = surface.polygons[f];
     for(std::size_t k = 0; k < polygon.size(); ++k) {
       const std::size_t v = polygon[k], w = polygon[(k + 1) % polygon.size()];
-      sides.push_back({sorted(v, w), v, w, f});
+      sides.push_back({sorted(name(v), name(w)), v, w, f});
     }
   }
   sort_by_key(sides);
@@ -633,10 +634,7 @@ void cut_and_turn(Surface_soup& surface)
 // edge in the same direction; this may be left where fans wind through an edge more than once.
 void check_and_count_cuts(const Surface_soup& surface, Repairs& repairs)
 {
-  std::vector<Side> sides = all_sides(surface);
-  for(Side& side : sides)
-    side.key = sorted(surface.file_points[side.source], surface.file_points[side.target]);
-  sort_by_key(sides);
+  std::vector<Side> sides = all_sides(surface, surface.file_points);
   std::set<std::size_t> ends; // of these edges
   const auto ends_of = [](const Side& s) { return std::make_pair(s.source, s.target); };
   for_each_key(sides, [&](const auto begin, const auto end) {
