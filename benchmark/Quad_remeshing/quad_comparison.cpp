@@ -126,12 +126,14 @@ struct Input
 {
   std::string name;
   Mesh mesh;
-  double feature_angle; // in degrees; 0: no features
+  bool has_features; // the sharp edges
+  Mesh::Property_map<Mesh::Edge_index, bool> is_sharp;
   benchmark::Triangles triangles;
   double diagonal;
   std::ptrdiff_t euler_characteristic;
 };
 
+// \param feature_angle in degrees; 0: no features
 // Returns false if the file can't be read.
 bool read(const std::string& filename, const double feature_angle, Input& input)
 {
@@ -139,7 +141,10 @@ bool read(const std::string& filename, const double feature_angle, Input& input)
   if(!PMP::IO::read_polygon_mesh(filename, input.mesh))
     return false;
   PMP::triangulate_faces(input.mesh);
-  input.feature_angle = feature_angle;
+  input.is_sharp = input.mesh.add_property_map<Mesh::Edge_index, bool>("e:sharp", false).first;
+  input.has_features = feature_angle > 0;
+  if(input.has_features)
+    PMP::detect_sharp_edges(input.mesh, feature_angle, input.is_sharp);
   benchmark::Polygon_soup soup;
   PMP::polygon_mesh_to_polygon_soup(input.mesh, soup.points, soup.polygons);
   input.triangles = soup.triangles();
@@ -180,12 +185,12 @@ void remesh(const Input& input, const std::size_t number, const fs::path& quads_
 {
   Mesh mesh = input.mesh, quads;
   const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  for(const auto e : mesh.edges())
+    is_feature[e] = input.is_sharp[e];
   CGAL::Timer timer;
   timer.start();
-  if(input.feature_angle > 0) {
-    PMP::detect_sharp_edges(mesh, input.feature_angle, is_feature);
+  if(input.has_features)
     QR::remove_feature_noise(mesh, is_feature, std::sqrt(PMP::area(mesh) / double(number)));
-  }
   const QR::Remeshing_report report = QR::quad_remesh(
     mesh, quads,
     QR::parameters::target_number_of_quads(number).edge_is_constrained_map(is_feature));
@@ -202,7 +207,7 @@ void remesh_by_quadriflow(const Input& input, const std::size_t number,
                           const Quadriflow& quadriflow, const fs::path& mesh_file,
                           const fs::path& quads_file, Totals& totals)
 {
-  const double seconds = quadriflow.remesh(mesh_file, quads_file, number, input.feature_angle > 0);
+  const double seconds = quadriflow.remesh(mesh_file, quads_file, number, input.has_features);
   print_row(input, number, quads_file, seconds, seconds < 0 ? "no quads" : "success", totals);
 }
 
