@@ -101,7 +101,9 @@ public:
     });
     state.swap(result);
     return true;
-  } catch(const Refusal&) {
+  } catch(const Refusal& refusal) {
+    if(refusal.status != Outcome::TOO_LARGE)
+      throw;
     return false;
   }
 
