@@ -28,7 +28,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 

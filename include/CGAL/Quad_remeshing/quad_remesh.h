@@ -40,9 +40,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -29,7 +29,6 @@
 #include <CGAL/squared_distance_3.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>

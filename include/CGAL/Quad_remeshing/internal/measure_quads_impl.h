@@ -18,7 +18,6 @@
 // How quads compare to what was wanted, and where they are on the surface.
 
 #include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
-#include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_writer.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>

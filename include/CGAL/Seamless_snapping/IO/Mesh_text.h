@@ -30,7 +30,6 @@
 #include <CGAL/Seamless_snapping/types/File_status.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <algorithm>

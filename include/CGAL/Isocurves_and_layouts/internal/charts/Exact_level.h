@@ -24,7 +24,6 @@
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Interval_nt.h>
 
 #include <memory>
 #include <utility>

@@ -29,7 +29,6 @@
 #include <CGAL/Exact_rational.h>
 
 #include <cstddef>
-#include <cstdint>
 
 namespace CGAL {
 namespace Isocurves_and_layouts {

@@ -24,7 +24,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 

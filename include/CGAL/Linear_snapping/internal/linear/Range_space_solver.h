@@ -19,7 +19,6 @@
 // range-space method, which factorizes the function's matrix once, whatever the equations are.
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>

@@ -25,7 +25,6 @@
 #include <CGAL/Quad_remeshing/internal/cells/Grid_darts.h>
 #include <CGAL/Quad_remeshing/internal/cells/Integer_decisions.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 

@@ -31,7 +31,6 @@
 #include <cstddef>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -24,7 +24,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -23,7 +23,6 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>

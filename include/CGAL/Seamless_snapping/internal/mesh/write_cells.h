@@ -19,7 +19,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -34,7 +34,6 @@
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/snapping/explain_refusal.h>
-#include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <algorithm>
