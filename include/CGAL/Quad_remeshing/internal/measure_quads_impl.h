@@ -39,8 +39,7 @@ inline double size_at(const Surface_to_remesh& input, const Space_vector& place,
 {
   const auto& mesh = input.mesh();
   const auto face = smoother.nearest_face(place);
-  const auto part = locate_in_face(Surface_to_remesh::Kernel::Point_3(place[0], place[1], place[2]),
-                                   face, mesh, mesh.points()).second;
+  const auto part = locate_in_face(to_point(place), face, mesh, mesh.points()).second;
   const auto h = mesh.halfedge(face);
   return part[0] * input.sizes()[mesh.source(h)] + part[1] * input.sizes()[mesh.target(h)] +
          part[2] * input.sizes()[mesh.target(mesh.next(h))];
@@ -92,7 +91,7 @@ inline Nearest_faces nearest_faces(const Surface_to_remesh& input,
   if(located.faces) {
     result.of_faces.resize(quads.num_faces());
     for(const auto f : quads.faces())
-      result.of_faces[f] = number(place_of(middle(quads, f)), quad_normal(smoother.quad(f)));
+      result.of_faces[f] = number(to_vector(middle(quads, f)), quad_normal(smoother.quad(f)));
   }
   return result;
 }

@@ -74,14 +74,13 @@ public:
 
   // Where a point of a line comes to if it goes by a length; nothing where the line ends before, or
   // meets others.
-  // \param direction what it starts along, roughly
-  std::optional<Point> slide(const Point& p, const Kernel::Vector_3& direction,
-                             double length) const
+  // \param towards where it starts to, roughly
+  std::optional<Point> slide(const Point& p, const Point& towards, double length) const
   {
     if(m_tree.empty())
       return std::nullopt;
     Halfedge h = mesh().halfedge(m_tree.closest_point_and_primitive(p).second);
-    if(direction * (target(h) - source(h)) < 0)
+    if((towards - p) * (target(h) - source(h)) < 0)
       h = mesh().opposite(h);
     Point at = p;
     for(;;) {

@@ -122,9 +122,9 @@ private:
     Space_vector middle{};
     for(std::size_t c = 0; c < 3; ++c)
       middle[c] = (q[0][c] + q[1][c] + q[2][c] + q[3][c]) / 4;
-    std::array<Point, 5> result{Point(middle[0], middle[1], middle[2])};
+    std::array<Point, 5> result{to_point(middle)};
     for(std::size_t i = 0; i < 4; ++i)
-      result[i + 1] = CGAL::midpoint(result[0], Point(q[i][0], q[i][1], q[i][2]));
+      result[i + 1] = CGAL::midpoint(result[0], to_point(q[i]));
     return result;
   }
 

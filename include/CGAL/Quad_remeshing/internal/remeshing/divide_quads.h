@@ -49,11 +49,9 @@ public:
   std::size_t run()
   {
     std::vector<Face> bad;
-    for(const Face f : faces(m_quads)) {
-      const Quad q = m_smoother.quad(f);
-      if(scaled_jacobian(q, quad_normal(q)) < flat)
+    for(const Face f : faces(m_quads))
+      if(scaled_jacobian(m_smoother.quad(f)) < flat)
         bad.push_back(f);
-    }
     std::size_t result = 0;
     for(const Face f : bad) {
       Quad inner;
@@ -70,7 +68,7 @@ private:
   // where these come to by moves. Returns false if none has quads that face as the surface.
   bool find_inner_quad(const Quad& q, Quad& inner) const
   {
-    const double before = (std::max)(0., scaled_jacobian(q, quad_normal(q)));
+    const double before = (std::max)(0., scaled_jacobian(q));
     double best = before;
     std::vector<std::pair<double, Quad> > starts;
     for(std::size_t i = 0; i < 4; ++i)
@@ -132,7 +130,7 @@ private:
   {
     double sum = 0;
     for(const Quad& r : five_quads(q, p))
-      sum += std::exp(-20 * scaled_jacobian(r, quad_normal(r)));
+      sum += std::exp(-20 * scaled_jacobian(r));
     return sum;
   }
 
@@ -150,7 +148,7 @@ private:
   {
     double result = 1;
     for(const Quad& q : all)
-      result = (std::min)(result, scaled_jacobian(q, quad_normal(q)));
+      result = (std::min)(result, scaled_jacobian(q));
     return result;
   }
 

@@ -27,7 +27,6 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -42,14 +41,8 @@ namespace internal {
 // Invariant: vertices stay on the surface, and on the features and borders where they are; they do
 // not move at all where these turn or meet.
 class Quad_improver
+  : private Remeshing_types
 {
-  using Mesh = Surface_to_remesh::Mesh;
-  using Vertex = Mesh::Vertex_index;
-  using Halfedge = Mesh::Halfedge_index;
-  using Face = Mesh::Face_index;
-  using Feature_map = Surface_to_remesh::Feature_map;
-  using Quad = Quad_smoother::Quad;
-
 public:
   // \param is_feature whether an edge is a feature or border
   Quad_improver(Mesh& quads, const Feature_map& is_feature, const Feature_lines& lines,
@@ -119,8 +112,7 @@ private:
         result.push_back(v);
     };
     for(const Face f : faces(m_quads)) {
-      const auto q = m_smoother.quad(f);
-      if(scaled_jacobian(q, quad_normal(q)) >= m_thin)
+      if(scaled_jacobian(m_smoother.quad(f)) >= m_thin)
         continue;
       for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads)) {
         add(v);
@@ -198,16 +190,14 @@ private:
   // Toward both neighbors, before which the vertex stays. None where the line turns in the grid.
   std::vector<Space_vector> places_on_line(const Space_vector& from, const double step) const
   {
-    using Kernel = Surface_to_remesh::Kernel;
     std::vector<Space_vector> result;
     if(!goes_straight(m_quads, m_lines_at_vertex) && !(m_thin == flat && is_straight_in_space()))
       return result;
     for(const Halfedge h : m_lines_at_vertex) {
       const Space_vector d = vector_to(from, m_smoother.point(source(h, m_quads)));
-      const auto p = m_lines.slide(Kernel::Point_3(from[0], from[1], from[2]),
-                                   Kernel::Vector_3(d[0], d[1], d[2]), 0.5 * step * norm(d));
-      if(p)
-        result.push_back({p->x(), p->y(), p->z()});
+      if(const auto p = m_lines.slide(to_point(from), m_quads.point(source(h, m_quads)),
+                                      0.5 * step * norm(d)))
+        result.push_back(to_vector(*p));
     }
     return result;
   }
@@ -270,13 +260,12 @@ private:
     const Vertex y = target(next(opposite(g, m_quads), m_quads), m_quads);
     if(a == b || x == y || degree(a, m_quads) < 3 || degree(b, m_quads) < 3)
       return false;
-    const auto first = m_smoother.quad(face(h, m_quads));
-    const auto second = m_smoother.quad(face(opposite(h, m_quads), m_quads));
-    const std::array<Space_vector, 4> joined{
+    const Quad joined{
       {m_smoother.point(a), m_smoother.point(x), m_smoother.point(b), m_smoother.point(y)}};
-    const double least = (std::min)(scaled_jacobian(first, quad_normal(first)),
-                                    scaled_jacobian(second, quad_normal(second)));
-    return least <= 0 || (least < thin && scaled_jacobian(joined, quad_normal(joined)) > least);
+    const double least =
+      (std::min)(scaled_jacobian(m_smoother.quad(face(h, m_quads))),
+                 scaled_jacobian(m_smoother.quad(face(opposite(h, m_quads), m_quads))));
+    return least <= 0 || (least < thin && scaled_jacobian(joined) > least);
   }
 
   static constexpr double thin = 0.2, flat = 0.02; // as scaled Jacobians

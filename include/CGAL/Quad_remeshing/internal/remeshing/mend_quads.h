@@ -36,13 +36,8 @@ namespace internal {
 
 // Invariant: no quad becomes inverted, or turns to the other side of the surface.
 class Quad_mender
+  : private Remeshing_types
 {
-  using Mesh = Surface_to_remesh::Mesh;
-  using Vertex = Mesh::Vertex_index;
-  using Face = Mesh::Face_index;
-  using Feature_map = Surface_to_remesh::Feature_map;
-  using Quad = Quad_smoother::Quad;
-
   enum class Freedom
   {
     SURFACE_INSIDE, // vertices that are on no feature or border move along the surface

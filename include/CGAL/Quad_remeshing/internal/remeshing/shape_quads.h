@@ -173,10 +173,9 @@ private:
       const double length = norm(d), along = inner_product(d, displacement) / length;
       if(!(along > 0))
         continue;
-      if(const auto p = m_lines.slide(Kernel::Point_3(from[0], from[1], from[2]),
-                                      Kernel::Vector_3(d[0], d[1], d[2]),
+      if(const auto p = m_lines.slide(to_point(from), m_quads.point(m_quads.source(h)),
                                       (std::min)(along, length / 2)))
-        return {p->x(), p->y(), p->z()};
+        return to_vector(*p);
     }
     return from;
   }
@@ -186,7 +185,7 @@ private:
   {
     double sum = 0;
     for(const Halfedge h : m_lines_at_vertex) {
-      const Kernel::Point_3 a(p[0], p[1], p[2]), &b = m_quads.point(m_quads.source(h));
+      const Point a = to_point(p), &b = m_quads.point(m_quads.source(h));
       const double length = CGAL::squared_distance(a, b);
       if(length > 0)
         sum += m_lines.squared_distance(CGAL::midpoint(a, b)) / length;

@@ -40,6 +40,9 @@ namespace internal {
 
 using Space_vector = std::array<double, 3>;
 
+inline Space_vector to_vector(const Remeshing_types::Point& p) { return {p.x(), p.y(), p.z()}; }
+inline Remeshing_types::Point to_point(const Space_vector& p) { return {p[0], p[1], p[2]}; }
+
 inline Space_vector vector_to(const Space_vector& a, const Space_vector& b)
 {
   return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
@@ -103,6 +106,9 @@ inline double scaled_jacobian(const Quad_in_space& q, const Space_vector& normal
   const std::array<double, 4> sines = sines_of_angles(q, normal);
   return (std::min)(1., *std::min_element(sines.begin(), sines.end()));
 }
+
+// As seen along its own normal.
+inline double scaled_jacobian(const Quad_in_space& q) { return scaled_jacobian(q, quad_normal(q)); }
 
 // Where a quad is to face: where the surface does beside it. One that does not face there, as on
 // sharp edges, is not to turn from where it does; one without area faces nowhere.
@@ -189,7 +195,7 @@ public:
     Shape result;
     double sum = 0;
     for(const Face f : faces(m_quads)) {
-      const double value = scaled_jacobian_of(f);
+      const double value = scaled_jacobian(quad(f));
       result.least_scaled_jacobian = (std::min)(result.least_scaled_jacobian, value);
       sum += value;
     }
@@ -200,7 +206,7 @@ public:
   bool is_thin(const Face f) const
   {
     constexpr double thin = 0.1; // as a scaled Jacobian
-    return scaled_jacobian_of(f) < thin;
+    return scaled_jacobian(quad(f)) < thin;
   }
 
   std::size_t number_of_inverted_quads() const
@@ -236,14 +242,8 @@ public:
     return largest;
   }
 
-  Space_vector point(const Vertex v) const
-  {
-    const Point& p = m_quads.point(v);
-    return {p.x(), p.y(), p.z()};
-  }
-
-  void set_point(const Vertex v, const Space_vector& p)
-  { m_quads.point(v) = Point(p[0], p[1], p[2]); }
+  Space_vector point(const Vertex v) const { return to_vector(m_quads.point(v)); }
+  void set_point(const Vertex v, const Space_vector& p) { m_quads.point(v) = to_point(p); }
 
   Quad quad(const Face f) const
   {
@@ -297,27 +297,20 @@ public:
 
   // The nearest point of the surface.
   Space_vector nearest(const Space_vector& p) const
-  {
-    const Point q = tree().closest_point(Point(p[0], p[1], p[2]));
-    return {q.x(), q.y(), q.z()};
-  }
+  { return to_vector(tree().closest_point(to_point(p))); }
 
   // The same, faster: the search begins at another point of the surface.
   Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
-  {
-    const Point q = tree().closest_point(Point(p[0], p[1], p[2]),
-                                         Point(near_by[0], near_by[1], near_by[2]));
-    return {q.x(), q.y(), q.z()};
-  }
+  { return to_vector(tree().closest_point(to_point(p), to_point(near_by))); }
 
   Face nearest_face(const Space_vector& p) const
-  { return tree().closest_point_and_primitive(Point(p[0], p[1], p[2])).second; }
+  { return tree().closest_point_and_primitive(to_point(p)).second; }
 
   // Of two that lie on each other and face to opposite sides, as where bodies touch: the one that
   // faces to `side`.
   Face nearest_face(const Space_vector& p, const Space_vector& side) const
   {
-    const auto [place, nearest] = tree().closest_point_and_primitive(Point(p[0], p[1], p[2]));
+    const auto [place, nearest] = tree().closest_point_and_primitive(to_point(p));
     const Space_vector normal = scaled_to_one(normal_of_surface(nearest));
     if(inner_product(normal, side) >= 0)
       return nearest;
@@ -347,20 +340,12 @@ public:
   {
     std::array<Space_vector, 3> t;
     std::size_t i = 0;
-    for(const auto v : CGAL::vertices_around_face(halfedge(f, m_surface), m_surface)) {
-      const Point& p = m_surface.point(v);
-      t[i++] = {p.x(), p.y(), p.z()};
-    }
+    for(const auto v : CGAL::vertices_around_face(halfedge(f, m_surface), m_surface))
+      t[i++] = to_vector(m_surface.point(v));
     return cross_product(vector_to(t[0], t[1]), vector_to(t[0], t[2]));
   }
 
 private:
-  double scaled_jacobian_of(const Face f) const
-  {
-    const Quad q = quad(f);
-    return scaled_jacobian(q, quad_normal(q));
-  }
-
   const Tree& tree() const
   {
     ++m_number_of_searches;
