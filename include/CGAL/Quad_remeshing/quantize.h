@@ -29,6 +29,7 @@
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
 #include <CGAL/Quad_remeshing/types/Quantization.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
+#include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -66,18 +67,12 @@ double area_in_squares(const TriangleMesh& tmesh, const double length, const Nam
     std::array<std::array<double, 3>, 3> p;
     auto g = h;
     for(std::array<double, 3>& q : p) {
-      const auto& point = get(point_map, target(g, tmesh));
-      q = {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+      q = place_of(get(point_map, target(g, tmesh)));
       for(double& x : q)
         x = std::ldexp(x, -exponent);
       g = next(g, tmesh);
     }
-    std::array<double, 3> normal;
-    for(std::size_t i = 0; i < 3; ++i) {
-      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      normal[i] = (p[1][j] - p[0][j]) * (p[2][k] - p[0][k]) -
-                  (p[1][k] - p[0][k]) * (p[2][j] - p[0][j]);
-    }
+    const auto normal = vector_product(vector_to(p[0], p[1]), vector_to(p[0], p[2]));
     const double size = size_of(f);
     area += std::hypot(normal[0], normal[1], normal[2]) / 2 / (size * size);
   }

@@ -33,6 +33,20 @@ namespace internal {
 using Uv = std::array<double, 2>;
 using Uvw = std::array<double, 3>; // of volumes
 
+// Of points and vectors with three coordinates, as in space.
+template <typename Number>
+std::array<Number, 3> vector_to(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
+{ return {b[0] - a[0], b[1] - a[1], b[2] - a[2]}; }
+
+template <typename Number>
+Number inner_product(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
+{ return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+template <typename Number>
+std::array<Number, 3> vector_product(const std::array<Number, 3>& a,
+                                     const std::array<Number, 3>& b)
+{ return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
+
 // Of integer-grid maps. Below, the error of a coordinate computed on an edge stays under 1/4, and
 // sums of coordinates and translations stay exact integers.
 constexpr double largest_grid_coordinate = 70368744177664.; // 2^46
@@ -72,10 +86,8 @@ using Uvw_tetrahedron = std::array<Uvw, 4>;
 // their intervals can't tell.
 inline CGAL::Orientation orientation(const Uvw_tetrahedron& t)
 {
-  std::array<Uvw, 3> a; // edges from the first corner
-  for(std::size_t i = 0; i < 3; ++i)
-    for(std::size_t c = 0; c < 3; ++c)
-      a[i][c] = t[i + 1][c] - t[0][c];
+  const std::array<Uvw, 3> a{
+    {vector_to(t[0], t[1]), vector_to(t[0], t[2]), vector_to(t[0], t[3])}};
   const auto det_2 = [&](const std::size_t c, const std::size_t d, const double sign) {
     return a[1][c] * a[2][d] + sign * (a[1][d] * a[2][c]);
   };

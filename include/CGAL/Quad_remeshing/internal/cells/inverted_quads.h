@@ -17,6 +17,9 @@
 
 // Which quads in space are inverted, exactly for the points as they are.
 
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
+
 #include <CGAL/Exact_rational.h>
 
 #include <algorithm>
@@ -34,13 +37,6 @@ template <typename Number>
 using Vector_in_space = std::array<Number, 3>;
 
 template <typename Number>
-Vector_in_space<Number> cross_product(const Vector_in_space<Number>& a,
-                                      const Vector_in_space<Number>& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-template <typename Number>
 Vector_in_space<Number> vector_between(const Quad_in_space& q, const std::size_t from,
                                        const std::size_t to)
 {
@@ -55,16 +51,15 @@ template <typename Number>
 Number corner_area(const Quad_in_space& q, const std::size_t corner,
                    const Vector_in_space<Number>& normal)
 {
-  const Vector_in_space<Number> n =
-    cross_product(vector_between<Number>(q, corner, (corner + 1) % 4),
-                  vector_between<Number>(q, corner, (corner + 3) % 4));
-  return n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2];
+  return inner_product(vector_product(vector_between<Number>(q, corner, (corner + 1) % 4),
+                                      vector_between<Number>(q, corner, (corner + 3) % 4)),
+                       normal);
 }
 
 template <typename Number>
 Vector_in_space<Number> area_vector(const Quad_in_space& q)
 {
-  return cross_product(vector_between<Number>(q, 0, 2), vector_between<Number>(q, 1, 3));
+  return vector_product(vector_between<Number>(q, 0, 2), vector_between<Number>(q, 1, 3));
 }
 
 // The least value over the corners.

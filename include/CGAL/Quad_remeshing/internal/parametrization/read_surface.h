@@ -18,6 +18,7 @@
 // From the points of a mesh to a Triangle_surface, and what is refused of it; and the crosses that
 // the caller prescribes, by one direction in space for each face.
 
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
@@ -57,21 +58,6 @@ inline void find_components(Triangle_surface& surface)
 
 using Point = Place;
 
-inline Point operator-(const Point& p, const Point& q)
-{
-  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-}
-
-inline double dot(const Point& p, const Point& q)
-{
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-}
-
-inline Point cross(const Point& p, const Point& q)
-{
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-
 // Signed dihedral angles: what the intrinsic layout does not know, for alignment to curvature.
 inline void measure_bending(Triangle_surface& surface, const std::vector<Point>& points)
 {
@@ -79,17 +65,19 @@ inline void measure_bending(Triangle_surface& surface, const std::vector<Point>&
   const auto normal = [&](const Corner_index h)
   {
     const Point& p = points[surface.source(h)];
-    return cross(points[surface.vertex(h)] - p, points[surface.vertex(S::next(h))] - p);
+    return vector_product(vector_to(p, points[surface.vertex(h)]),
+                          vector_to(p, points[surface.vertex(S::next(h))]));
   };
   surface.bending.assign(surface.number_of_halfedges(), 0);
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
     if(surface.is_border_edge(h))
       continue;
     const Point n = normal(h), m = normal(surface.opposite(h));
-    const Point e = points[surface.vertex(h)] - points[surface.source(h)];
-    const double length = std::sqrt(dot(e, e));
+    const Point e = vector_to(points[surface.source(h)], points[surface.vertex(h)]);
+    const double length = std::sqrt(inner_product(e, e));
     if(length > 0)
-      surface.bending[h] = std::atan2(dot(cross(n, m), e) / length, dot(n, m));
+      surface.bending[h] =
+        std::atan2(inner_product(vector_product(n, m), e) / length, inner_product(n, m));
   }
 }
 
@@ -111,8 +99,8 @@ inline void read_geometry(std::vector<Point> points, Triangle_surface& surface)
 
   surface.length.resize(surface.number_of_halfedges());
   for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h) {
-    const Point e = points[surface.vertex(h)] - points[surface.source(h)];
-    surface.length[h] = std::sqrt(dot(e, e));
+    const Point e = vector_to(points[surface.source(h)], points[surface.vertex(h)]);
+    surface.length[h] = std::sqrt(inner_product(e, e));
   }
   measure_bending(surface, points);
   mollify_lengths(surface);
@@ -137,12 +125,14 @@ inline Complex cross_of_direction(const Point& direction, const Point& first_edg
                                   const Point& second_edge)
 {
   const Point e = near_one(first_edge), d = near_one(direction);
-  const Point n = near_one(cross(e, near_one(second_edge)));
-  const double length = std::sqrt(dot(n, n));
-  const double along = dot(e, d) * length, across = dot(cross(e, d), n);
+  const Point n = near_one(vector_product(e, near_one(second_edge)));
+  const double length = std::sqrt(inner_product(n, n));
+  const double along = inner_product(e, d) * length;
+  const double across = inner_product(vector_product(e, d), n);
   constexpr double least_part = 1e-6; // of the direction
-  const bool is_normal = std::hypot(along, across) <=
-                         least_part * length * std::sqrt(dot(e, e)) * std::sqrt(dot(d, d));
+  const bool is_normal =
+    std::hypot(along, across) <= least_part * length * std::sqrt(inner_product(e, e)) *
+                                   std::sqrt(inner_product(d, d));
   return is_normal ? Complex(0) : cross_of_angle(std::atan2(across, along));
 }
 
@@ -162,7 +152,8 @@ inline Prescribed_field read_directions(const Triangle_surface& surface,
     const auto corner = [&](const int i) -> const Point&
       { return points[surface.vertex(Corner_index(3 * f) + i)]; };
     field.push_back(
-      cross_of_direction(directions[f], corner(0) - corner(2), corner(1) - corner(0)));
+      cross_of_direction(directions[f], vector_to(corner(2), corner(0)),
+                         vector_to(corner(0), corner(1))));
   }
   const bool has_none = std::all_of(field.begin(), field.end(),
                                     [](const Complex& z) { return z == Complex(0); });

@@ -43,14 +43,6 @@ using Space_vector = std::array<double, 3>;
 inline Space_vector to_vector(const Remeshing_types::Point& p) { return {p.x(), p.y(), p.z()}; }
 inline Remeshing_types::Point to_point(const Space_vector& p) { return {p[0], p[1], p[2]}; }
 
-inline Space_vector vector_to(const Space_vector& a, const Space_vector& b)
-{
-  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-}
-inline double inner_product(const Space_vector& a, const Space_vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 inline Space_vector between(const Space_vector& a, const Space_vector& b, const double part)
 {
   return {a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2])};
@@ -75,8 +67,8 @@ struct Star_plane
   // Eight vectors perpendicular to the normal, the first one to the side, too; by the longest edge.
   std::array<Space_vector, 8> directions(const double step) const
   {
-    const Space_vector u = scaled_to_one(cross_product(normal, side));
-    const Space_vector v = scaled_to_one(cross_product(normal, u));
+    const Space_vector u = scaled_to_one(vector_product(normal, side));
+    const Space_vector v = scaled_to_one(vector_product(normal, u));
     std::array<Space_vector, 8> result;
     for(std::size_t i = 0; i < 8; ++i) {
       const double angle = double(i) * std::acos(0.) / 2;
@@ -95,7 +87,7 @@ inline std::array<double, 4> sines_of_angles(const Quad_in_space& q, const Space
   for(std::size_t i = 0; i < 4; ++i) {
     const Space_vector a = vector_to(q[i], q[(i + 1) % 4]), b = vector_to(q[i], q[(i + 3) % 4]);
     const double scale = norm(a) * norm(b) * size;
-    result[i] = scale > 0 ? inner_product(cross_product(a, b), normal) / scale : -1.;
+    result[i] = scale > 0 ? inner_product(vector_product(a, b), normal) / scale : -1.;
   }
   return result;
 }
@@ -342,7 +334,7 @@ public:
     std::size_t i = 0;
     for(const auto v : CGAL::vertices_around_face(halfedge(f, m_surface), m_surface))
       t[i++] = to_vector(m_surface.point(v));
-    return cross_product(vector_to(t[0], t[1]), vector_to(t[0], t[2]));
+    return vector_product(vector_to(t[0], t[1]), vector_to(t[0], t[2]));
   }
 
 private:

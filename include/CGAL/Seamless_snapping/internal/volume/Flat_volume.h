@@ -80,9 +80,7 @@ inline double six_times_volume(const Uvw_tetrahedron& u, const double scale = 1)
   for(std::size_t i = 0; i < 3; ++i)
     for(std::size_t c = 0; c < 3; ++c)
       e[i][c] = scale * (u[i + 1][c] - u[0][c]);
-  return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
-         e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-         e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  return inner_product(e[0], vector_product(e[1], e[2]));
 }
 
 // Where a problem is, for messages: "facet 3, 4, 7".

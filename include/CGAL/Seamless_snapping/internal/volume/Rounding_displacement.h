@@ -251,17 +251,16 @@ private:
       }
     if(!(size > 0))
       return {};
+    for(Uvw& edge : e)
+      for(double& x : edge)
+        x /= size;
     std::array<Uvw, 4> n{}; // normals opposite to the corners, without scale
-    for(std::size_t i = 0; i < 3; ++i)
-      for(std::size_t c = 0; c < 3; ++c) {
-        const Uvw &a = e[(i + 1) % 3], &b = e[(i + 2) % 3];
-        const std::size_t d = (c + 1) % 3, k = (c + 2) % 3;
-        n[i + 1][c] = (a[d] / size) * (b[k] / size) - (a[k] / size) * (b[d] / size);
+    for(std::size_t i = 0; i < 3; ++i) {
+      n[i + 1] = vector_product(e[(i + 1) % 3], e[(i + 2) % 3]);
+      for(std::size_t c = 0; c < 3; ++c)
         n[0][c] -= n[i + 1][c];
-      }
-    double volume = 0;
-    for(std::size_t c = 0; c < 3; ++c)
-      volume += e[0][c] / size * n[1][c];
+    }
+    const double volume = inner_product(e[0], n[1]);
     const double scale = size / (std::max)(std::abs(volume), least_volume);
     Weights result{};
     std::size_t edge = 0;

@@ -151,27 +151,23 @@ private:
         ends[ends[0] == nullptr ? 0 : 1] = &m_volume.uvw(corner);
     const Uvw &a = *ends[0], &b = *ends[1], &p = m_volume.uvw(i), &q = m_volume.uvw(j);
     const Uvw m = normal(a, b, p), n = normal(a, b, q);
-    const double cosine = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
-    const Uvw x{{m[1] * n[2] - m[2] * n[1], m[2] * n[0] - m[0] * n[2], m[0] * n[1] - m[1] * n[0]}};
-    return std::atan2(std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]), cosine);
+    const Uvw x = vector_product(m, n);
+    return std::atan2(std::sqrt(inner_product(x, x)), inner_product(m, n));
   }
 
   // Of unit length, but for degenerate triangles.
   static Uvw normal(const Uvw& a, const Uvw& b, const Uvw& p)
   {
-    Uvw e, f;
+    std::array<Uvw, 2> sides{{vector_to(a, b), vector_to(a, p)}};
     double scale = 0;
-    for(std::size_t c = 0; c < 3; ++c) {
-      e[c] = b[c] - a[c];
-      f[c] = p[c] - a[c];
-      scale = (std::max)({scale, std::abs(e[c]), std::abs(f[c])});
-    }
-    Uvw n{};
-    for(std::size_t c = 0; c < 3 && scale > 0; ++c) {
-      const std::size_t d = (c + 1) % 3, k = (c + 2) % 3;
-      n[c] = (e[d] / scale) * (f[k] / scale) - (e[k] / scale) * (f[d] / scale);
-    }
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    for(const Uvw& side : sides)
+      for(const double x : side)
+        scale = (std::max)(scale, std::abs(x));
+    for(Uvw& side : sides)
+      for(std::size_t c = 0; c < 3 && scale > 0; ++c)
+        side[c] /= scale;
+    Uvw n = vector_product(sides[0], sides[1]);
+    const double length = std::sqrt(inner_product(n, n));
     for(std::size_t c = 0; c < 3 && length > 0; ++c)
       n[c] /= length;
     return n;

@@ -179,9 +179,9 @@ private:
         e[i][c] = m_scale * (u[others[corner % 4][i]][c] - u[corner % 4][c]);
     Uvw result{};
     for(std::size_t i = 0; i < 3; ++i) { // less the cross products of two
-      const Uvw &a = e[i], &b = e[(i + 1) % 3];
+      const Uvw normal = vector_product(e[i], e[(i + 1) % 3]);
       for(std::size_t c = 0; c < 3; ++c)
-        result[c] -= a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+        result[c] -= normal[c];
     }
     return result;
   }
