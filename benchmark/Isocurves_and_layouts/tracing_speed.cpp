@@ -94,10 +94,10 @@ void measure(const std::string& file, const int runs, const std::size_t maximum_
     });
   });
   const IL::internal::Walk_limits nowhere;
+  using Naive = IL::internal::Basic_floating_point_decisions<IL::internal::Quarter_turns>;
   const double naive = speed(runs, other_crossings, [&] {
     return walk_all(tracer, maximum_number, [&] {
-      return IL::internal::Floating_point_decisions(tracer.chart_mesh(), nowhere,
-                                                    IL::internal::no_index, 0, 0);
+      return Naive(tracer.chart_mesh(), nowhere, IL::internal::no_index, 0, 0);
     });
   });
   const double kept = speed(runs, other_crossings, [&] {

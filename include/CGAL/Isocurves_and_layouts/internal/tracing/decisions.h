@@ -254,8 +254,6 @@ private:
   Isocurve_status m_failure = Isocurve_status::CONTINUES;
 };
 
-using Floating_point_decisions = Basic_floating_point_decisions<Quarter_turns>;
-
 } // namespace internal
 } // namespace Isocurves_and_layouts
 } // namespace CGAL

@@ -191,8 +191,6 @@ private:
   std::size_t m_obstacle = 0;
 };
 
-using Dart_tracer = Basic_dart_tracer<Quarter_turns>;
-
 // What can be wrong with a dart.
 struct Dart_failure
 {

@@ -192,8 +192,6 @@ private:
   Unit_step* m_step;
 };
 
-using Integer_decisions = Basic_integer_decisions<Quarter_turns>;
-
 } // namespace internal
 } // namespace Quad_remeshing
 } // namespace CGAL
