@@ -133,6 +133,7 @@ struct Result
   QR::Snapping_report snapped; // to integers, unless there is a quantization
   QR::Snapping_report repaired; // of what was extracted or quantized
   std::string integers;        // which they are
+  std::string why_rounded;     // where there was to be a quantization
   std::size_t number_of_repaired_flips = 0; // that nobody asked to repair
   std::optional<QR::Remeshing_report> smoothed; // how far, if vertices were smoothed
   double diagonal = 0;                          // of the input
@@ -159,8 +160,22 @@ bool are_thin(const Model& model, const std::vector<std::size_t>& faces, const d
   });
 }
 
-// With the border aligned where it is nearly. Flips that are noise are repaired without being asked
-// for, and counted in `result`.
+// To where all coordinates have bits of the same size, but for one.
+void move_from_origin(Model& model)
+{
+  double largest = 0;
+  for(const Halfedge h : model.mesh.halfedges())
+    for(const double x : {model.uv_map[h].x(), model.uv_map[h].y()})
+      largest = (std::max)(largest, std::abs(x));
+  const double distance = std::ldexp(1., std::ilogb(largest) + 2);
+  for(const Halfedge h : model.mesh.halfedges())
+    model.uv_map[h] = Kernel::Point_2(model.uv_map[h].x() + distance,
+                                      model.uv_map[h].y() + distance);
+}
+
+// With the border aligned where it is nearly. Near the origin, coordinates may have finer bits than
+// integers of 64 bits can hold beside the largest one: then the map is moved. Flips that are noise
+// are repaired without being asked for, and counted in `result`.
 QR::Quantization quantize(const Quad_options& options, Model& model, Result& result)
 {
   Seam_options seams = options.seams;
@@ -176,7 +191,11 @@ QR::Quantization quantize(const Quad_options& options, Model& model, Result& res
                           .needs_face_graph(!options.soup)
                           .target_number_of_quads(static_cast<std::size_t>(options.number)));
   };
-  const QR::Quantization quantization = snap_and_quantize();
+  QR::Quantization quantization = snap_and_quantize();
+  if(quantization.status == QR::Outcome::TOO_LARGE && quantization.number_of_coarse_faces == 0) {
+    move_from_origin(model);
+    quantization = snap_and_quantize();
+  }
   const std::vector<std::size_t>& flips = quantization.nonpositive_faces;
   if(flips.empty() || !are_thin(model, flips, snapped.violation_before))
     return quantization;
@@ -196,14 +215,16 @@ std::string flips_message(const Quad_options& options, const std::vector<std::si
          "or leave out the quads around these faces by --allow-holes";
 }
 
-void check_report(const Quad_options& options, const Model& model,
-                  const QR::Extraction_report& report)
+void check_report(const Quad_options& options, const Model& model, const Result& result)
 {
+  const QR::Extraction_report& report = result.report;
   if(report)
     return;
   const bool has_flips = report.status == QR::Outcome::NOT_POSITIVE;
-  const std::string why = has_flips ? flips_message(options, report.nonpositive_faces)
-                                    : to_string(report.status) + (": " + report.message);
+  std::string why = has_flips ? flips_message(options, report.nonpositive_faces)
+                              : to_string(report.status) + (": " + report.message);
+  if(!result.why_rounded.empty())
+    why += "; integers at any distance are tried, as " + result.why_rounded;
   throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(why, model));
 }
 
@@ -344,12 +365,10 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
   restore();
   const double any = std::numeric_limits<double>::infinity();
   extract_rounded(options, model, options.has_rounding ? options.rounding : any, result);
-  const std::string why =
+  result.why_rounded =
     is_aligned ? "there is no quantization: " + message_of(quantization, model)
                : "most of the border lies on no isocurve";
-  result.integers = "at any distance, as " + why;
-  if(!result.report)
-    result.report.message += "; and " + why;
+  result.integers = "at any distance, as " + result.why_rounded;
   if(is_aligned || (result.report && part_left_out(result.report) <= 0.5))
     return;
   restore();
@@ -485,7 +504,7 @@ void quads(const Arguments& arguments)
       make_number_of_quads(options, model, result);
     else
       extract_rounded(options, model, options.rounding, result);
-    check_report(options, model, result.report);
+    check_report(options, model, result);
     write_file(options.output, options.soup ? text_of_quads(result.soup, options.output)
                                             : text_of_quads(result.mesh, result.is_feature,
                                                           options.output));

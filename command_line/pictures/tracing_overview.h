@@ -111,7 +111,7 @@ public:
     os << "<circle cx=\"" << p[0] << "\" cy=\"" << p[1] << "\" " << style << "/>\n";
   }
 
-  // `v` and `l` statements of OBJ.
+  // `v` and `l` statements of OBJ. Each edge has one, as of longer ones, Blender reads the first edge.
   void write_OBJ(std::ostream& os) const
   {
     os.precision(17);
@@ -119,10 +119,10 @@ public:
     for(const Curve& curve : m_curves) {
       for(const auto& point : curve.points)
         os << "v " << space(point) << "\n";
-      os << "# " << curve.status << "\nl";
-      for(std::size_t i = 0; i < curve.points.size(); ++i)
-        os << ' ' << next++;
-      os << "\n";
+      os << "# " << curve.status << "\n";
+      for(std::size_t i = 1; i < curve.points.size(); ++i, ++next)
+        os << "l " << next << ' ' << next + 1 << "\n";
+      next += curve.points.empty() ? 0 : 1;
     }
   }
 

@@ -80,7 +80,7 @@ inline Prescribed_field prescribe_alignment(const Triangle_surface& surface,
     if(count == 3)
       throw Refusal(Outcome::INVALID_ALIGNMENT,
                     "all three edges of face " + std::to_string(f) + " are to be aligned, which "
-                    "would collapse it: split the face or release an edge");
+                    "would collapse it: split the face, release an edge, or leave out the face");
   }
   // A face of two aligned edges is opened last, as a sector of several faces can be opened by the
   // rotations between them, too.
