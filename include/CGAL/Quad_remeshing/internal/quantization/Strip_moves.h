@@ -45,21 +45,25 @@ public:
     : m_rules(rules), m_searches{Strip_search(rules), Strip_search(rules)}
   { }
 
-  // The cheapest strip through the state whose other costs add up to less than `bound`, gains not
-  // counted. The search goes on where fewer ways are open: where triangles can't get smaller, one
-  // side ends soon, and there is none. A search from one side finds strips that close inside only.
+  // The cheapest strip through the state whose costs add up to less than `bound`, where gains count
+  // for the faces on both sides of the start only. The search goes on where fewer ways are open:
+  // where triangles can't get smaller, one side ends soon, and there is none. A search from one
+  // side finds strips that close inside only.
   bool find(const Strip_state start, const double bound, const bool from_both_sides = true)
   {
     auto& [there, back] = m_searches;
-    there.clear(start, bound);
-    back.clear(m_rules.reversed(start), bound);
+    m_least_cost = m_rules.least_cost_around(start);
+    if(!(m_least_cost < bound))
+      return false;
+    there.clear(start, bound - m_least_cost);
+    back.clear(m_rules.reversed(start), bound - m_least_cost);
     there.start(m_rules.across(start), from_both_sides ? &back : nullptr);
     if(from_both_sides)
       back.start(with_opposite_change(start), &there);
     for(;;) {
       m_found = back.length() < there.length() ? 1 : 0;
       const double least = from_both_sides ? least_length() : there.distance();
-      if(least >= length())
+      if(least >= m_searches[m_found].length())
         return is_found();
       const bool is_back_narrower = there.width() == 0 || back.width() < there.width();
       (is_back_narrower && back.width() > 0 ? back : there).advance();
@@ -72,8 +76,8 @@ public:
 
   bool is_found() const { return m_searches[m_found].has_closed(); }
 
-  // Of the strip that was found: the sum of the other costs.
-  double length() const { return m_searches[m_found].length(); }
+  // Of the strip that was found: the sum of these costs.
+  double length() const { return m_least_cost + m_searches[m_found].length(); }
 
   // As in Strip_search, for the strip that was found.
   template <typename Visit>
@@ -97,6 +101,7 @@ private:
   const Strip_rules& m_rules;
   std::array<Strip_search, 2> m_searches;
   std::size_t m_found = 0; // the search that closed the strip
+  double m_least_cost = 0; // of the faces on both sides of the start
   std::size_t m_number_of_steps = 0;
 };
 
@@ -113,8 +118,9 @@ class Strip_moves
 {
 public:
   // \param work receives what the moves take, but never ends them
-  Strip_moves(Intrinsic_complex& complex, const std::vector<double>& scales, Work& work)
-    : m_complex(complex), m_rules(complex, scales), m_finder(m_rules), m_work(work)
+  Strip_moves(Intrinsic_complex& complex, const std::vector<double>& scales, Work& work,
+              const Cost_of_units cost = Cost_of_units::LENGTHS)
+    : m_complex(complex), m_rules(complex, scales, cost), m_finder(m_rules), m_work(work)
   { }
 
   ~Strip_moves()
@@ -161,7 +167,7 @@ public:
   {
     m_changes.clear();
     for(const Face_on_line& f : faces)
-      add_changes(f.exit, f.entry, unit_vector(f.left));
+      m_changes.push_back({strip_state(f.exit, f.left), f.entry});
     return apply_changes(std::numeric_limits<double>::infinity());
   }
 
@@ -185,8 +191,10 @@ private:
       if(m_complex.represents_edge(h))
         for(int k = 0; k < 4; ++k) {
           const Strip_state s = strip_state(h, k);
-          if(m_rules.cost(s) < -least_gain && m_rules.is_allowed(s))
-            found.emplace_back(m_rules.cost(s), s);
+          if(!m_rules.is_allowed(s))
+            continue;
+          if(const double cost = m_rules.least_cost_around(s); cost < -least_gain)
+            found.emplace_back(cost, s);
         }
     std::sort(found.begin(), found.end());
     std::vector<Strip_state> result;
@@ -200,12 +208,12 @@ private:
   std::size_t improve_from(const Strip_state s)
   {
     std::size_t number = 0;
-    while(m_rules.cost(s) < -least_gain && move(s, -m_rules.cost(s), -least_gain)) {
+    while(move(s, -least_gain, -least_gain)) {
       ++number;
       for(std::int64_t k = number_of_gains(); k > 0; k /= 2)
         number += apply_changes(-least_gain, k) ? std::size_t(k) : 0;
     }
-    if(number == 0 && m_rules.cost(s) < -least_gain && !m_is_strip_found)
+    if(number == 0 && !m_is_strip_found)
       m_rules.forbid(s);
     return number;
   }
@@ -225,15 +233,9 @@ private:
   {
     m_changes.clear();
     m_finder.for_each_face(
-      [&](const Corner_index exit, const Corner_index entry, const Grid_vector& change)
-      { add_changes(exit, entry, change); });
+      [&](const Strip_state exit, const Corner_index entry)
+      { m_changes.push_back({exit, entry}); });
     return apply_changes(bound);
-  }
-
-  void add_changes(const Corner_index exit, const Corner_index entry, const Grid_vector& change)
-  {
-    m_changes.push_back({exit, change});
-    m_changes.push_back({entry, negated(change)});
   }
 
   // So many times, if that changes the sum of squares by less than `bound`, and keeps triangles
@@ -245,7 +247,7 @@ private:
       make_changes(-times);
     else
       for(const Change& c : m_changes)
-        m_rules.update(c.halfedge);
+        m_rules.update(c.entry / 3);
     return is_better;
   }
 
@@ -255,13 +257,19 @@ private:
     double difference = 0;
     m_number_of_changes += m_changes.size();
     for(const Change& c : m_changes) {
-      const Grid_vector change = multiplied(times, c.vector);
-      if(m_complex.represents_edge(c.halfedge))
-        difference += m_rules.cost(c.halfedge, change);
-      Grid_vector& units = m_complex.corners[std::size_t(c.halfedge)].units;
-      units = sum(units, change);
+      difference += m_rules.cost_of_moves(Strip_rules::edge_that_stays(c.entry, c.exit),
+                                          double(times));
+      const Grid_vector change = multiplied(times, change_of(c.exit));
+      add(halfedge_of(c.exit), change);
+      add(c.entry, negated(change));
     }
     return difference;
+  }
+
+  void add(const Corner_index h, const Grid_vector& change)
+  {
+    Grid_vector& units = m_complex.corners[std::size_t(h)].units;
+    units = sum(units, change);
   }
 
   // How often the changes can be made until once more gains nothing: what they gain is linear.
@@ -278,15 +286,18 @@ private:
   // Those that have been changed so many times; also all the way from what they were.
   bool are_faces_positive(const std::int64_t times) const
   {
-    for(std::size_t i = 0; i < m_changes.size(); i += 2) {
-      const Flat_face_index f = m_changes[i].halfedge / 3;
+    for(const Change& first : m_changes) {
+      const Flat_face_index f = first.entry / 3;
       const Face_units after = m_rules.units_of_face(f);
       Face_units before = after, shift{};
       for(const Change& c : m_changes)
-        if(c.halfedge / 3 == f) {
-          add_to(before, c.halfedge, multiplied(-times, c.vector));
-          add_to(shift, c.halfedge, multiplied(times, c.vector));
+        if(c.entry / 3 == f) {
+          const Grid_vector change = multiplied(times, change_of(c.exit));
+          add_to(shift, halfedge_of(c.exit), change);
+          add_to(shift, c.entry, negated(change));
         }
+      for(Corner_index h = 3 * f; h < 3 * f + 3; ++h)
+        add_to(before, h, negated(shift[std::size_t(h % 3)]));
       const std::int64_t a = determinant(before), d = determinant(after);
       const std::int64_t square = determinant(shift);
       const std::int64_t slope = d - a - square; // of a + slope t + square t^2 at t = 0
@@ -322,19 +333,19 @@ private:
     for(Corner_index h = 3 * face; h < 3 * face + 3; ++h)
       for(int k = 0; k < 4; ++k) {
         const Strip_state s = strip_state(h, k);
-        const double cost = m_rules.price(s);
-        if(!m_rules.is_allowed(s) || !m_finder.find(s, least - cost))
+        if(!m_rules.is_allowed(s) || !m_finder.find(s, least))
           continue;
         best = s;
-        least = m_finder.length() + cost;
+        least = m_finder.length();
       }
     return best;
   }
 
+  // Of the face that the strip leaves and enters so.
   struct Change
   {
-    Corner_index halfedge;
-    Grid_vector vector;
+    Strip_state exit;
+    Corner_index entry;
   };
 
   Intrinsic_complex& m_complex;

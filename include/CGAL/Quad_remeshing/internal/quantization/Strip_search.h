@@ -18,7 +18,7 @@
 // The cheapest strip of triangles through a halfedge, along which all edges that it crosses may
 // change by one unit, in one direction: a shortest path.
 
-#include <CGAL/Quad_remeshing/internal/quantization/round_units.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Strip_rules.h>
 
 #include <boost/heap/d_ary_heap.hpp>
 
@@ -35,154 +35,6 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// A halfedge, over which a strip leaves its face, and the direction in that face's chart by which
-// the halfedge's vector changes.
-using Strip_state = std::int32_t;
-
-inline constexpr Strip_state no_strip_state = -1;
-
-inline Strip_state strip_state(const Corner_index h, const int direction)
-{ return 4 * h + direction; }
-inline Corner_index halfedge_of(const Strip_state s) { return s / 4; }
-inline Grid_vector change_of(const Strip_state s) { return unit_vector(s % 4); }
-inline Strip_state with_opposite_change(const Strip_state s) { return s ^ 2; }
-
-// The units of a face's halfedges.
-using Face_units = std::array<Grid_vector, 3>;
-
-inline void add_to(Face_units& units, const Corner_index h, const Grid_vector& change)
-{
-  units[std::size_t(h % 3)] = sum(units[std::size_t(h % 3)], change);
-}
-
-inline std::int64_t determinant(const Face_units& units)
-{ return cross_product(units[0], units[1]); }
-
-// What a change by one unit costs, and which are allowed. The complex has to outlive it.
-// Invariant: prices and determinants are those of the units at the last update.
-class Strip_rules
-{
-  // Together, as a search asks for all of them.
-  struct State_values
-  {
-    double price;
-    std::int64_t cross;
-    Strip_state across;
-  };
-
-public:
-  Strip_rules(const Intrinsic_complex& complex, const std::vector<double>& scales)
-    : m_complex(complex), m_values(4 * complex.corners.size()),
-      m_determinant(complex.corners.size() / 3)
-  {
-    for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h) {
-      m_wanted.push_back(wanted_units(complex, h, scales));
-      m_weight.push_back(weight_of_edge(m_wanted.back()));
-      update(h);
-      const Corner_index g = complex.opposite(h);
-      for(Strip_state s = strip_state(h, 0); s < strip_state(h, 4); ++s)
-        m_values[std::size_t(s)].across = g == no_index ? no_strip_state : strip_state(
-          g, Quarter_turns::compose(complex.corner(h).rotation, s % 4));
-    }
-  }
-
-  // To be called for each halfedge whose units have changed, once triangles are closed again.
-  void update(const Corner_index h)
-  {
-    m_determinant[std::size_t(h / 3)] = determinant(units_of_face(h / 3));
-    for(Strip_state s = strip_state(h, 0); s < strip_state(h, 4); ++s) {
-      State_values& values = m_values[std::size_t(s)];
-      values.price = is_allowed(s) ? price_of_allowed(s)
-                                   : std::numeric_limits<double>::infinity();
-      values.cross = cross_product(change_of(s), m_complex.corner(h).units);
-    }
-  }
-
-  // No strip but one from there may change the edge so, until it is changed otherwise or all is
-  // allowed again.
-  void forbid(const Strip_state s)
-  {
-    for(const Strip_state t : {s, is_border(s) ? s : reversed(s)}) {
-      m_values[std::size_t(t)].price = std::numeric_limits<double>::infinity();
-      m_forbidden.push_back(t);
-    }
-  }
-
-  void allow_all()
-  {
-    for(const Strip_state s : m_forbidden)
-      m_values[std::size_t(s)].price = price_of_allowed(s);
-    m_forbidden.clear();
-  }
-
-  const Intrinsic_complex& complex() const { return m_complex; }
-
-  // Of the sum of weighted squares of deviations, if the halfedge's vector changes.
-  double cost(const Corner_index h, const Grid_vector& change) const
-  {
-    const auto& wanted = m_wanted[std::size_t(h)];
-    const Grid_vector& units = m_complex.corner(h).units;
-    double result = 0;
-    for(std::size_t c = 0; c < 2; ++c) {
-      const double d = static_cast<double>(change[c]);
-      result += d * (d + 2 * (static_cast<double>(units[c]) - wanted[c]));
-    }
-    return m_weight[std::size_t(h)] * result;
-  }
-  double cost(const Strip_state s) const { return cost(halfedge_of(s), change_of(s)); }
-
-  // The same without gains, and infinite for what is not allowed. A little more for each step keeps
-  // strips short.
-  double price(const Strip_state s) const { return m_values[std::size_t(s)].price; }
-
-  // The change times the halfedge's units.
-  std::int64_t cross(const Strip_state s) const { return m_values[std::size_t(s)].cross; }
-
-  // Walls change along themselves only.
-  bool is_allowed(const Strip_state s) const
-  {
-    const Intrinsic_corner& corner = m_complex.corner(halfedge_of(s));
-    const Grid_vector d = change_of(s);
-    return !corner.is_wall || (corner.vector[0] == 0 ? d[0] == 0 : d[1] == 0);
-  }
-
-  std::int64_t determinant_of_face(const Flat_face_index f) const
-  { return m_determinant[std::size_t(f)]; }
-
-  bool is_no_worse(const Flat_face_index f, const std::int64_t before,
-                   const std::int64_t after) const
-  {
-    return after > 0 || (before <= 0 && after - before >= (f == face_to_raise ? 1 : 0));
-  }
-
-  Face_units units_of_face(const Flat_face_index f) const
-  {
-    return {m_complex.corner(3 * f).units, m_complex.corner(3 * f + 1).units,
-            m_complex.corner(3 * f + 2).units};
-  }
-
-  // The same change of the halfedge on the other side, in the chart there, or no state.
-  Strip_state across(const Strip_state s) const { return m_values[std::size_t(s)].across; }
-
-  // The same edge from the other side; strips through it are the same, in the other direction.
-  Strip_state reversed(const Strip_state s) const
-  { return with_opposite_change(is_border(s) ? s : across(s)); }
-
-  bool is_border(const Strip_state s) const { return across(s) == no_strip_state; }
-
-  Flat_face_index face_to_raise = no_index; // a strip has to raise its determinant
-
-private:
-  double price_of_allowed(const Strip_state s) const { return (std::max)(cost(s), 0.) + 1e-6; }
-
-  const Intrinsic_complex& m_complex;
-  std::vector<Strip_state> m_forbidden;
-  std::vector<std::array<double, 2> > m_wanted; // per halfedge
-  std::vector<double> m_weight;                 // per halfedge
-  std::vector<State_values> m_values;           // per state
-  std::vector<std::int64_t> m_determinant;      // per face
-};
-
 // From the start on, or, as one of two, from its other side back: these close a strip where they
 // meet, or where both get to the border. A single one finds strips that close inside only.
 // Invariant: what has been reached was reached from the start, by allowed changes.
@@ -194,7 +46,8 @@ public:
       m_passed(rules.complex().corners.size() / 3)
   { }
 
-  // Of a strip through the state whose other costs add up to less than `bound`, gains not counted.
+  // Of a strip through the state whose costs add up to less than `bound`. Those of the faces on
+  // both sides of the start are counted from their least ones on; of others, gains are not counted.
   void clear(const Strip_state s, const double bound)
   {
     ++m_round;
@@ -211,6 +64,8 @@ public:
   {
     m_other = other;
     if(entry != no_strip_state) {
+      m_least_costs = {m_rules.least_cost(entry),
+                       m_rules.least_cost(with_opposite_change(m_start))};
       enter(m_start, entry, 0);
       return;
     }
@@ -249,8 +104,8 @@ public:
   Strip_state end() const { return m_end; }
   Strip_state end_of_other() const { return m_end_of_other; }
 
-  // Back from the end to the start: calls `visit(exit, entry, change)` for the faces of the strip,
-  // with the halfedges over which it leaves and enters a face, and the change in the face's chart.
+  // Back from the end to the start: calls `visit(exit, entry)` for the faces of the strip, with the
+  // state by which it leaves a face, and the halfedge over which it enters it.
   template <typename Visit>
   void for_each_face(const Strip_state end, const Visit& visit) const
   {
@@ -258,7 +113,7 @@ public:
     if(reached(s).entry == no_index)
       return;
     do {
-      visit(halfedge_of(s), reached(s).entry, change_of(s));
+      visit(s, reached(s).entry);
       s = reached(s).parent;
     } while(s != m_start);
   }
@@ -370,7 +225,8 @@ private:
     for(const Corner_index exit :
         {Intrinsic_complex::next(entry), Intrinsic_complex::prev(entry)}) {
       const Strip_state s = strip_state(exit, side % 4);
-      const double d = s == m_start ? distance : distance + m_rules.price(s);
+      const double d = distance + cost_of_face(from, entry, s) +
+                       (s == m_start ? 0. : m_rules.price(s));
       if(d >= m_bound || (is_reached(s) && reached(s).distance <= d) || !is_open(from, entry, s))
         continue;
       m_reached[std::size_t(s)] = {d, faces_before(from) | bit_of(exit / 3), from, entry, m_round};
@@ -380,6 +236,14 @@ private:
       else if(s != m_start)
         m_queue.emplace(d, s);
     }
+  }
+
+  double cost_of_face(const Strip_state from, const Corner_index entry,
+                      const Strip_state exit) const
+  {
+    const double cost = m_rules.cost(Strip_rules::edge_that_stays(entry, exit));
+    const auto& [ahead, behind] = m_least_costs;
+    return (std::max)(0., from == m_start ? cost - ahead : exit == m_start ? cost - behind : cost);
   }
 
   // Where a strip closes here.
@@ -428,6 +292,7 @@ private:
   std::int32_t m_round = 0;
   Strip_state m_start = no_strip_state, m_end = no_strip_state, m_end_of_other = no_strip_state;
   std::array<Strip_state, 2> m_exits; // the cheapest ones over different edges of the border
+  std::array<double, 2> m_least_costs; // of the faces ahead of the start, and behind it
   double m_bound = 0, m_length = 0;
   const Strip_search* m_other = nullptr;
   Queue m_queue;

@@ -20,6 +20,7 @@
 
 #include <CGAL/Quad_remeshing/internal/quantization/Polygon_filler.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_moves.h>
+#include <CGAL/Quad_remeshing/internal/quantization/round_units.h>
 #include <CGAL/Quad_remeshing/internal/support/Work.h>
 
 #include <algorithm>
@@ -45,6 +46,13 @@ inline std::vector<int> angles_around_vertices(const Intrinsic_complex& complex)
 // So many that a search over all of them takes long.
 inline bool has_many_faces(const Intrinsic_complex& complex)
 { return complex.number_of_faces() >= 500; }
+
+// Elsewhere, vertices of quads slide in all directions, and shear goes when they are smoothed.
+inline bool has_walls(const Intrinsic_complex& complex)
+{
+  return std::any_of(complex.corners.begin(), complex.corners.end(),
+                     [](const Intrinsic_corner& corner) { return corner.is_wall; });
+}
 
 // Half the sum of all determinants.
 inline double number_of_quads(const Intrinsic_complex& complex)
@@ -113,13 +121,13 @@ public:
   }
 
   // The same, until few moves are left. A round over many faces takes long.
-  std::size_t improve()
+  std::size_t improve(const Cost_of_units cost = Cost_of_units::LENGTHS)
   {
     const std::size_t most_rounds =
       (std::max)(std::size_t(3), (std::min)(std::size_t(20), 80000 / m_complex.corners.size()));
     std::size_t sum = 0;
     for(int i = 0; i < 3 && (i == 0 || m_work.is_left()); ++i) {
-      const std::size_t moves = Strip_moves(m_complex, m_scales, m_work)
+      const std::size_t moves = Strip_moves(m_complex, m_scales, m_work, cost)
                                   .improve(m_work.is_left() ? most_rounds : 1);
       sum += moves;
       if((moves <= few_moves(m_complex) && (i > 0 || has_many_faces(m_complex))) ||

@@ -225,8 +225,11 @@ private:
     Complex_quantizer quantizer(m_coarse->input, result.complex, result.scales,
                                 *m_options.work);
     result.number_of_moves += quantizer.improve();
-    if(!is_coarsest)
+    if(!is_coarsest) {
       result.number_of_moves += quantizer.adjust(number_of_quads);
+      if(has_walls(result.complex))
+        result.number_of_moves += quantizer.improve(Cost_of_units::SHAPE);
+    }
     result.number_of_long_edges = quantizer.number_of_long_edges();
     result.number_of_quads = internal::number_of_quads(result.complex);
     if(m_first_number == 0)

@@ -19,7 +19,7 @@
 
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
-#include <CGAL/Quad_remeshing/internal/quantization/round_units.h>
+#include <CGAL/Quad_remeshing/internal/quantization/wanted_units.h>
 
 #include <algorithm>
 #include <cmath>

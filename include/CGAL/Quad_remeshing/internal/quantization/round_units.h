@@ -19,7 +19,7 @@
 // match across edges, and keep walls on their isocurves. Not all triangles need be positive.
 
 #include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>
-#include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
+#include <CGAL/Quad_remeshing/internal/quantization/wanted_units.h>
 
 #include <cmath>
 #include <cstddef>
@@ -29,28 +29,13 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// The vector wanted for a halfedge, in units.
-inline std::array<double, 2> wanted_units(const Intrinsic_complex& complex, const Corner_index h,
-                                          const std::vector<double>& scales)
-{
-  const double scale = scales[std::size_t(complex.part[std::size_t(h / 3)])];
-  const Grid_vector& v = complex.corner(h).vector;
-  return {scale * static_cast<double>(v[0]), scale * static_cast<double>(v[1])};
-}
-
-// Errors of long edges weigh less.
-inline double weight_of_edge(const std::array<double, 2>& wanted)
-{
-  return 1 / (1 + std::hypot(wanted[0], wanted[1]));
-}
-
 // Invariant: the constraints are eliminated.
 class Unit_rounder
 {
 public:
   // \param scales units per step of the input's grid, for each connected part
   Unit_rounder(Intrinsic_complex& complex, const std::vector<double>& scales)
-    : m_complex(complex), m_scales(scales), m_columns(columns()),
+    : m_complex(complex), m_wanted(wanted_units(complex, scales)), m_columns(columns()),
       m_solver(system(), weights(), Number_format::of<double>(), m_number_of_columns, false)
   { }
 
@@ -62,9 +47,8 @@ public:
                          std::vector<Grid_value>(m_number_of_columns)};
     for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
       if(m_complex.represents_edge(h)) {
-        const auto wanted = wanted_units(m_complex, h, m_scales);
         for(std::size_t c = 0; c < 2; ++c)
-          target.values[std::size_t(column(h, c))] = units.split(wanted[c]);
+          target.values[std::size_t(column(h, c))] = units.split(m_wanted[std::size_t(h)][c]);
       }
     Linear_solution solution;
     if(m_solver.solve(target, solution) >= 0)
@@ -135,12 +119,12 @@ private:
     for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
       if(m_complex.represents_edge(h))
         for(std::size_t c = 0; c < 2; ++c)
-          result[std::size_t(column(h, c))] = weight_of_edge(wanted_units(m_complex, h, m_scales));
+          result[std::size_t(column(h, c))] = weight_of_edge(m_wanted[std::size_t(h)]);
     return result;
   }
 
   Intrinsic_complex& m_complex;
-  const std::vector<double>& m_scales;
+  std::vector<Wanted_vector> m_wanted; // per halfedge
   std::size_t m_number_of_columns = 0;
   std::vector<Column_index> m_columns; // per halfedge that stands for its edge: the first of two
   Linear_solver m_solver;

@@ -1,0 +1,188 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_WALL_SLIDER_H
+#define CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_WALL_SLIDER_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Where vertices on straight walls are wanted.
+
+#include <CGAL/Quad_remeshing/internal/quantization/wanted_units.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+// Each straight closed wall has vertices, which may lie anywhere on it, as quads slide along. They
+// are wanted where edges to walls near by have whole lengths along these: else each edge is rounded
+// by up to half a unit, and the sum all around a thin part is shear that no strip lowers.
+class Wall_slider
+{
+public:
+  Wall_slider(const Intrinsic_complex& complex, std::vector<Wanted_vector>& wanted)
+    : m_complex(complex), m_wanted(wanted), m_directions(complex.corners.size()),
+      m_can_slide(complex.number_of_vertices()), m_groups(complex.number_of_vertices())
+  { }
+
+  void run()
+  {
+    for(std::size_t v = 0; v < m_complex.number_of_vertices(); ++v) {
+      m_groups[v].parent = v;
+      m_can_slide[v] = find_directions(v);
+    }
+    fix_neighbors();
+    find_ratio();
+    for(const auto& [width, length, h, axis] : links())
+      link(h, axis);
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
+      for(std::size_t axis = 0; axis < 2; ++axis)
+        m_wanted[std::size_t(h)][axis] +=
+          (slide(m_complex.vertex(h), target_sign(h, axis)) -
+           slide(m_complex.source(h), source_sign(h, axis))) / m_ratio;
+  }
+
+private:
+  // Vertices whose slides are known relative to each other's.
+  struct Group
+  {
+    std::size_t parent;
+    double sign = 1, offset = 0; // its slide is sign * slide of the parent + offset
+  };
+
+  // Where the vertex slides to, at each of its corners, in the chart there.
+  bool find_directions(const std::size_t v)
+  {
+    if(!m_complex.is_regular[v])
+      return false;
+    const Corner_index first = m_complex.corner_at_vertex[v];
+    Quarter_turns::Element turn = Quarter_turns::identity();
+    Grid_vector along{};
+    std::vector<std::pair<Corner_index, Quarter_turns::Element> > corners;
+    Corner_index c = first;
+    do {
+      const Corner_index out = Intrinsic_complex::next(c);
+      if(m_complex.corner(out).is_wall) {
+        const Grid_vector& w = m_complex.corner(out).vector;
+        along = rotated(turn, w[0] == 0 ? Grid_vector{0, 1} : Grid_vector{1, 0});
+      }
+      corners.emplace_back(c, turn);
+      turn = Quarter_turns::compose(turn, Quarter_turns::inverse(m_complex.corner(c).rotation));
+      c = m_complex.counterclockwise(c);
+    } while(c != no_index && c != first);
+    for(const auto& [k, t] : corners)
+      m_directions[std::size_t(k)] = rotated(Quarter_turns::inverse(t), along);
+    return along != Grid_vector{};
+  }
+
+  double target_sign(const Corner_index h, const std::size_t axis) const
+  { return double(m_directions[std::size_t(h)][axis]); }
+  double source_sign(const Corner_index h, const std::size_t axis) const
+  { return target_sign(Intrinsic_complex::prev(h), axis); }
+
+  // Where a wall has a corner or an end, none of its vertices slides: lengths matter.
+  void fix_neighbors()
+  {
+    for(bool has_changed = true; has_changed;) {
+      has_changed = false;
+      for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
+        if(m_complex.corner(h).is_wall) {
+          char &source = m_can_slide[m_complex.source(h)],
+               &target = m_can_slide[m_complex.vertex(h)];
+          has_changed |= source != target;
+          source = target = source && target;
+        }
+    }
+  }
+
+  // Units may be fewer than wanted along thin parts, where there are more than wanted across.
+  void find_ratio()
+  {
+    double sum = 0, sum_of_wanted = 0;
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
+      if(m_complex.corner(h).is_wall && m_can_slide[m_complex.vertex(h)]) {
+        sum += length(m_complex.corner(h).units);
+        sum_of_wanted += std::hypot(m_wanted[std::size_t(h)][0], m_wanted[std::size_t(h)][1]);
+      }
+    if(sum > 0 && sum_of_wanted > 0)
+      m_ratio = sum / sum_of_wanted;
+  }
+
+  // Edges of less than a unit across, between vertices that slide along an axis: by their width.
+  std::vector<std::tuple<double, double, Corner_index, std::size_t> > links() const
+  {
+    std::vector<std::tuple<double, double, Corner_index, std::size_t> > result;
+    for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h) {
+      if(!m_complex.represents_edge(h) || m_complex.corner(h).is_wall ||
+         !m_can_slide[m_complex.source(h)] || !m_can_slide[m_complex.vertex(h)])
+        continue;
+      const Wanted_vector& w = m_wanted[std::size_t(h)];
+      for(std::size_t axis = 0; axis < 2; ++axis)
+        if(std::abs(w[1 - axis]) < 1 && source_sign(h, axis) != 0 && target_sign(h, axis) != 0)
+          result.emplace_back(std::abs(w[1 - axis]), std::abs(w[axis]), h, axis);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // That of the root, and how the slide depends on the root's.
+  Group find(const std::size_t v) const
+  {
+    Group result{v};
+    while(m_groups[result.parent].parent != result.parent) {
+      const Group& g = m_groups[result.parent];
+      result.offset += result.sign * g.offset;
+      result.sign *= g.sign;
+      result.parent = g.parent;
+    }
+    return result;
+  }
+
+  double slide(const std::size_t v, const double sign) const
+  { return sign == 0 ? 0. : sign * find(v).offset; }
+
+  // Slides the target, and what is linked to it, such that the edge has a whole length along the
+  // axis; unless it is linked to the source already.
+  void link(const Corner_index h, const std::size_t axis)
+  {
+    const Group source = find(m_complex.source(h)), target = find(m_complex.vertex(h));
+    if(source.parent == target.parent)
+      return;
+    const double s = source_sign(h, axis), t = target_sign(h, axis);
+    const double length =
+      m_ratio * m_wanted[std::size_t(h)][axis] + t * target.offset - s * source.offset;
+    Group& root = m_groups[target.parent];
+    root.parent = source.parent;
+    root.sign = t * target.sign * s * source.sign;
+    root.offset = t * target.sign * (std::round(length) - length);
+  }
+
+  const Intrinsic_complex& m_complex;
+  std::vector<Wanted_vector>& m_wanted;
+  std::vector<Grid_vector> m_directions; // per corner
+  std::vector<char> m_can_slide;         // per vertex
+  std::vector<Group> m_groups;           // per vertex
+  double m_ratio = 1; // of the units to the wanted ones, along lines of sliding vertices
+};
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_QUANTIZATION_WALL_SLIDER_H
