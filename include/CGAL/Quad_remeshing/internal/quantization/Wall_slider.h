@@ -99,15 +99,23 @@ private:
   // Where a wall has a corner or an end, none of its vertices slides: lengths matter.
   void fix_neighbors()
   {
-    for(bool has_changed = true; has_changed;) {
-      has_changed = false;
-      for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
-        if(m_complex.corner(h).is_wall) {
-          char &source = m_can_slide[m_complex.source(h)],
-               &target = m_can_slide[m_complex.vertex(h)];
-          has_changed |= source != target;
-          source = target = source && target;
-        }
+    std::vector<std::size_t> fixed;
+    for(std::size_t v = 0; v < m_can_slide.size(); ++v)
+      if(!m_can_slide[v])
+        fixed.push_back(v);
+    const auto fix = [&](const Corner_index wall, const std::size_t v) {
+      if(!m_complex.corner(wall).is_wall || !m_can_slide[v])
+        return;
+      m_can_slide[v] = false;
+      fixed.push_back(v);
+    };
+    while(!fixed.empty()) {
+      const std::size_t v = fixed.back();
+      fixed.pop_back();
+      for_each_corner(m_complex, v, [&](const Corner_index c) {
+        fix(c, m_complex.source(c));
+        fix(Intrinsic_complex::next(c), m_complex.vertex(Intrinsic_complex::next(c)));
+      });
     }
   }
 
