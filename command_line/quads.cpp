@@ -192,6 +192,7 @@ QR::Quantization quantize(const Quad_options& options, Model& model, Result& res
                           .target_number_of_quads(static_cast<std::size_t>(options.number)));
   };
   QR::Quantization quantization = snap_and_quantize();
+  // without a coarse triangulation, coordinates are too large, not the number of quads
   if(quantization.status == QR::Outcome::TOO_LARGE && quantization.number_of_coarse_faces == 0) {
     move_from_origin(model);
     quantization = snap_and_quantize();

@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -66,29 +65,33 @@ private:
     double sign = 1, offset = 0; // its slide is sign * slide of the parent + offset
   };
 
-  // Where the vertex slides to, at each of its corners, in the chart there.
+  // Where the vertex slides to, at each of its corners, in the chart there: along the first wall,
+  // turned on from corner to corner. Returns false if the vertex is on no straight wall.
   bool find_directions(const std::size_t v)
   {
-    if(!m_complex.is_regular[v])
+    Corner_index first = no_index;
+    for_each_corner(m_complex, v, [&](const Corner_index c) {
+      if(first == no_index && m_complex.corner(Intrinsic_complex::next(c)).is_wall)
+        first = c;
+    });
+    if(first == no_index || !m_complex.is_regular[v])
       return false;
-    const Corner_index first = m_complex.corner_at_vertex[v];
-    Quarter_turns::Element turn = Quarter_turns::identity();
-    Grid_vector along{};
-    std::vector<std::pair<Corner_index, Quarter_turns::Element> > corners;
+    const Grid_vector& wall = m_complex.corner(Intrinsic_complex::next(first)).vector;
+    Grid_vector along = wall[0] == 0 ? Grid_vector{0, 1} : Grid_vector{1, 0};
+    bool is_straight = true;
+    const auto see = [&](const Corner_index h) {
+      const Intrinsic_corner& corner = m_complex.corner(h);
+      is_straight &= !corner.is_wall || cross_product(along, corner.vector) == 0;
+    };
     Corner_index c = first;
     do {
-      const Corner_index out = Intrinsic_complex::next(c);
-      if(m_complex.corner(out).is_wall) {
-        const Grid_vector& w = m_complex.corner(out).vector;
-        along = rotated(turn, w[0] == 0 ? Grid_vector{0, 1} : Grid_vector{1, 0});
-      }
-      corners.emplace_back(c, turn);
-      turn = Quarter_turns::compose(turn, Quarter_turns::inverse(m_complex.corner(c).rotation));
+      m_directions[std::size_t(c)] = along;
+      see(Intrinsic_complex::next(c));
+      see(c);
+      along = rotated(m_complex.corner(c).rotation, along);
       c = m_complex.counterclockwise(c);
     } while(c != no_index && c != first);
-    for(const auto& [k, t] : corners)
-      m_directions[std::size_t(k)] = rotated(Quarter_turns::inverse(t), along);
-    return along != Grid_vector{};
+    return is_straight;
   }
 
   double target_sign(const Corner_index h, const std::size_t axis) const

@@ -21,7 +21,6 @@
 #include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Quad_remeshing/internal/quantization/wanted_units.h>
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -46,10 +45,9 @@ public:
     Linear_target target{std::vector<Grid>(m_solver.number_of_components(), units),
                          std::vector<Grid_value>(m_number_of_columns)};
     for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
-      if(m_complex.represents_edge(h)) {
+      if(m_complex.represents_edge(h))
         for(std::size_t c = 0; c < 2; ++c)
           target.values[std::size_t(column(h, c))] = units.split(m_wanted[std::size_t(h)][c]);
-      }
     Linear_solution solution;
     if(m_solver.solve(target, solution) >= 0)
       return false;
