@@ -38,17 +38,21 @@ public:
   Wall_slider(const Intrinsic_complex& complex, std::vector<Wanted_vector>& wanted)
     : m_complex(complex), m_wanted(wanted), m_directions(complex.corners.size()),
       m_can_slide(complex.number_of_vertices()), m_groups(complex.number_of_vertices())
-  { }
-
-  void run()
   {
     for(std::size_t v = 0; v < m_complex.number_of_vertices(); ++v) {
       m_groups[v].parent = v;
       m_can_slide[v] = find_directions(v);
     }
     fix_neighbors();
+    find_links();
+  }
+
+  bool has_links() const { return !m_links.empty(); }
+
+  void run()
+  {
     find_ratio();
-    for(const auto& [width, length, h, axis] : links())
+    for(const auto& [width, length, h, axis] : m_links)
       link(h, axis);
     for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h)
       for(std::size_t axis = 0; axis < 2; ++axis)
@@ -136,9 +140,8 @@ private:
   }
 
   // Edges of less than a unit across, between vertices that slide along an axis: by their width.
-  std::vector<std::tuple<double, double, Corner_index, std::size_t> > links() const
+  void find_links()
   {
-    std::vector<std::tuple<double, double, Corner_index, std::size_t> > result;
     for(Corner_index h = 0; h < m_complex.number_of_halfedges(); ++h) {
       if(!m_complex.represents_edge(h) || m_complex.corner(h).is_wall ||
          !m_can_slide[m_complex.source(h)] || !m_can_slide[m_complex.vertex(h)])
@@ -146,10 +149,9 @@ private:
       const Wanted_vector& w = m_wanted[std::size_t(h)];
       for(std::size_t axis = 0; axis < 2; ++axis)
         if(std::abs(w[1 - axis]) < 1 && source_sign(h, axis) != 0 && target_sign(h, axis) != 0)
-          result.emplace_back(std::abs(w[1 - axis]), std::abs(w[axis]), h, axis);
+          m_links.emplace_back(std::abs(w[1 - axis]), std::abs(w[axis]), h, axis);
     }
-    std::sort(result.begin(), result.end());
-    return result;
+    std::sort(m_links.begin(), m_links.end());
   }
 
   // That of the root, and how the slide depends on the root's.
@@ -189,8 +191,16 @@ private:
   std::vector<Grid_vector> m_directions; // per corner
   std::vector<char> m_can_slide;         // per vertex
   std::vector<Group> m_groups;           // per vertex
+  std::vector<std::tuple<double, double, Corner_index, std::size_t> > m_links;
   double m_ratio = 1; // of the units to the wanted ones, along lines of sliding vertices
 };
+
+// Whether there are closed parts of less than a unit between straight walls.
+inline bool has_thin_parts(const Intrinsic_complex& complex, const std::vector<double>& scales)
+{
+  std::vector<Wanted_vector> wanted = wanted_units(complex, scales);
+  return Wall_slider(complex, wanted).has_links();
+}
 
 } // namespace internal
 } // namespace Quad_remeshing

@@ -47,13 +47,6 @@ inline std::vector<int> angles_around_vertices(const Intrinsic_complex& complex)
 inline bool has_many_faces(const Intrinsic_complex& complex)
 { return complex.number_of_faces() >= 500; }
 
-// Elsewhere, vertices of quads slide in all directions, and shear goes when they are smoothed.
-inline bool has_walls(const Intrinsic_complex& complex)
-{
-  return std::any_of(complex.corners.begin(), complex.corners.end(),
-                     [](const Intrinsic_corner& corner) { return corner.is_wall; });
-}
-
 // Half the sum of all determinants.
 inline double number_of_quads(const Intrinsic_complex& complex)
 {

@@ -23,6 +23,7 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Face_graph_search.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Wall_slider.h>
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
@@ -227,7 +228,8 @@ private:
     result.number_of_moves += quantizer.improve();
     if(!is_coarsest) {
       result.number_of_moves += quantizer.adjust(number_of_quads);
-      if(has_walls(result.complex))
+      // Elsewhere, shear goes when quads are smoothed.
+      if(has_thin_parts(result.complex, result.scales))
         result.number_of_moves += quantizer.improve(Cost_of_units::SHAPE);
     }
     result.number_of_long_edges = quantizer.number_of_long_edges();
