@@ -2333,7 +2333,7 @@ void test_double_pyramid()
                           std::string::npos);
   std::cout << "double pyramid: " << report.number_of_quads << " quads, mean scaled Jacobian "
             << report.mean_scaled_jacobian << std::endl;
-  CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.92);
+  CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.94);
   CHECK_EQUAL(report.number_of_irregular_vertices, 8u);
   CHECK(report.number_of_released_edges == 0 && report.number_of_displaced_vertices == 0 &&
         report.number_of_thin_quads == 0);
@@ -2366,18 +2366,15 @@ void test_attempt_without_features()
     }
   }
   std::size_t number_left_out = 0; // of features, in further attempts
-  std::size_t number_of_thin_quads = 0; // before these
   const auto visitor = [&](const std::string& text) {
     const std::string words = "thin quads; again without ";
-    if(const std::size_t at = text.find(words); at != std::string::npos) {
+    if(const std::size_t at = text.find(words); at != std::string::npos)
       number_left_out += std::stoul(text.substr(at + words.size()));
-      number_of_thin_quads = std::stoul(text);
-    }
   };
   Mesh quads;
   const auto is_kept = quads.add_property_map<Mesh::Edge_index, bool>("e:kept", false).first;
   QR::Remeshing_report report;
-  for(std::size_t wanted = 200; number_left_out == 0 && wanted <= 400; wanted += 5) {
+  for(std::size_t wanted = 250; number_left_out == 0 && wanted <= 290; wanted += 5) {
     quads.clear_without_removing_property_maps();
     report = QR::quad_remesh(
       mesh, quads,
@@ -2390,8 +2387,7 @@ void test_attempt_without_features()
             << " edges, " << report.number_of_released_edges << " edges released" << std::endl;
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.9);
   CHECK_IN(std::to_string(number_left_out), number_left_out > 0 && number_left_out < 3 * n / 2);
-  CHECK(report.number_of_thin_quads <= number_of_thin_quads &&
-        report.number_of_displaced_vertices == 0);
+  CHECK(report.number_of_thin_quads == 0 && report.number_of_displaced_vertices == 0);
   CHECK(report.length_of_released_edges < length / 8);
   double kept = 0;
   for(const auto e : quads.edges()) {
