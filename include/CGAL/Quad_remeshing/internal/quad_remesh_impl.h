@@ -327,7 +327,8 @@ private:
     Quad_smoother smoother(m_quads, m_run.mesh());
     Upper_sides upper_sides(m_quads, m_is_feature, m_run.surface, smoother);
     shape_and_improve(Feature_lines(m_run.surface), smoother);
-    if(m_run.options.number_of_smoothing_rounds > 0 && !m_run.surface.mirror())
+    if(m_run.options.number_of_smoothing_rounds > 0 && !m_run.surface.mirror() &&
+       !is_hopeless(smoother))
       mend(upper_sides, smoother);
     m_run.work.spend(work_of(smoother));
     m_run.timer.finish("smoothing");
@@ -365,8 +366,25 @@ private:
   {
     shape(lines, smoother,
           m_run.work.is_left() ? shaping_rounds * m_run.options.number_of_smoothing_rounds : 1);
-    if(m_run.options.number_of_smoothing_rounds > 0)
+    if(m_run.options.number_of_smoothing_rounds > 0 && !is_hopeless(smoother))
       improve(lines, smoother);
+  }
+
+  // To mend so many quads takes long, and leaves a bad shape. There is work left for an attempt
+  // without the features there.
+  bool is_hopeless(const Quad_smoother& smoother) const
+  {
+    const auto is_on_feature = [&](const Mesh::Vertex_index v)
+    { return !m_quads.is_border(v) && !lines_at_vertex(m_quads, m_is_feature, v).empty(); };
+    const auto is_to_mend = [&](const Mesh::Face_index f) {
+      const auto vertices = CGAL::vertices_around_face(m_quads.halfedge(f), m_quads);
+      return is_inverted(smoother.quad(f)) &&
+             std::any_of(vertices.begin(), vertices.end(), is_on_feature);
+    };
+    const auto faces = m_quads.faces();
+    return m_run.work.is_half_left() &&
+           20 * std::size_t(std::count_if(faces.begin(), faces.end(), is_to_mend)) >
+             m_quads.number_of_faces();
   }
 
   // Vertices move; see `Quad_smoother` and `Quad_shaper`.
