@@ -27,6 +27,7 @@
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
 
@@ -2306,6 +2307,48 @@ void test_few_quads_between_features()
   CHECK(report.number_of_quads <= 90);
 }
 
+// A flat spiral tube, of circles that lie in the plane they are moved in: it meets itself, and some
+// of its folds are features, which end anywhere. Many quads at these are inverted. They are not
+// mended one by one, which would leave a mean scaled Jacobian of .45.
+void test_hopeless_features()
+{
+  constexpr int n = 8, steps = 12; // vertices of a circle, and circles of a turn
+  constexpr double radius = 0.1, pitch = 0.2;
+  Mesh mesh;
+  const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
+  for(int i = 0; i <= steps; ++i) {
+    const double t = 2 * CGAL_PI * i / steps;
+    for(int k = 0; k < n; ++k) {
+      const double a = 2 * CGAL_PI * k / n, x = 1 + radius * std::cos(a), y = radius * std::sin(a);
+      mesh.add_vertex(Point_3(x * std::cos(t) - y * std::sin(t),
+                              x * std::sin(t) + y * std::cos(t), pitch * i / steps));
+    }
+  }
+  for(int i = 0; i < steps; ++i)
+    for(int k = 0; k < n; ++k) {
+      const Vertex a(n * i + k), b(n * i + (k + 1) % n), c(n * (i + 1) + k),
+                   d(n * (i + 1) + (k + 1) % n);
+      mesh.add_face(a, b, d);
+      mesh.add_face(a, d, c);
+    }
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  PMP::detect_sharp_edges(mesh, 40, is_feature);
+  std::size_t number_of_inverted_quads = 0; // of the first attempt
+  const auto visitor = [&](const std::string& text) {
+    if(number_of_inverted_quads == 0 && text.find("inverted quads; again") != std::string::npos)
+      number_of_inverted_quads = std::stoul(text);
+  };
+  Mesh quads;
+  const auto report = QR::quad_remesh(
+    mesh, quads,
+    parameters::edge_is_constrained_map(is_feature).target_number_of_quads(60).visitor(visitor));
+  std::cout << "spiral: " << report.number_of_quads << " quads, mean scaled Jacobian "
+            << report.mean_scaled_jacobian << ", " << number_of_inverted_quads
+            << " were inverted at features" << std::endl;
+  CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.7);
+  CHECK(number_of_inverted_quads >= 10 && report.number_of_inverted_quads == 0);
+}
+
 // At the tips of a long double pyramid, four features meet in narrow sectors. Each of its four
 // sides between features is a rectangle of quads, and all features are kept. For fewer quads, there
 // are several maps, the best of which does not have the fewest.
@@ -3017,6 +3060,7 @@ int main()
     test_double_pyramid();
     test_twisted_tubes();
     test_attempt_without_features();
+    test_hopeless_features();
     test_tips();
     test_prisms();
     test_edge_lengths();
