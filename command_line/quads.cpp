@@ -160,22 +160,8 @@ bool are_thin(const Model& model, const std::vector<std::size_t>& faces, const d
   });
 }
 
-// To where all coordinates have bits of the same size, but for one.
-void move_from_origin(Model& model)
-{
-  double largest = 0;
-  for(const Halfedge h : model.mesh.halfedges())
-    for(const double x : {model.uv_map[h].x(), model.uv_map[h].y()})
-      largest = (std::max)(largest, std::abs(x));
-  const double distance = std::ldexp(1., std::ilogb(largest) + 2);
-  for(const Halfedge h : model.mesh.halfedges())
-    model.uv_map[h] = Kernel::Point_2(model.uv_map[h].x() + distance,
-                                      model.uv_map[h].y() + distance);
-}
-
-// With the border aligned where it is nearly. Near the origin, coordinates may have finer bits than
-// integers of 64 bits can hold beside the largest one: then the map is moved. Flips that are noise
-// are repaired without being asked for, and counted in `result`.
+// With the border aligned where it is nearly. Flips that are noise are repaired without being asked
+// for, and counted in `result`.
 QR::Quantization quantize(const Quad_options& options, Model& model, Result& result)
 {
   Seam_options seams = options.seams;
@@ -191,12 +177,7 @@ QR::Quantization quantize(const Quad_options& options, Model& model, Result& res
                           .needs_face_graph(!options.soup)
                           .target_number_of_quads(static_cast<std::size_t>(options.number)));
   };
-  QR::Quantization quantization = snap_and_quantize();
-  // without a coarse triangulation, coordinates are too large, not the number of quads
-  if(quantization.status == QR::Outcome::TOO_LARGE && quantization.number_of_coarse_faces == 0) {
-    move_from_origin(model);
-    quantization = snap_and_quantize();
-  }
+  const QR::Quantization quantization = snap_and_quantize();
   const std::vector<std::size_t>& flips = quantization.nonpositive_faces;
   if(flips.empty() || !are_thin(model, flips, snapped.violation_before))
     return quantization;

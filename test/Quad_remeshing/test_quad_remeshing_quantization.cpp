@@ -2975,6 +2975,34 @@ void check_refusal(const Grid_map& map, const Status status, const std::string& 
   CHECK(quads.is_empty());
 }
 
+// A torus whose translations along v have finer bits than integers of 64 bits hold beside those
+// along u; with faces so thin that moving the map degenerates them, it is refused.
+void test_map_near_origin()
+{
+  const auto stretch = [](Grid_map& map, const double first_v) {
+    for(const auto h : map.mesh.halfedges())
+      map.uv[h] = Point_2(2.00001 * map.uv[h].x(),
+                          map.uv[h].y() == 1 ? first_v : 0.00001 * map.uv[h].y());
+  };
+  Grid_map map(surfaces::torus(4, 4), 1, 1);
+  stretch(map, 0.00001);
+  const std::vector<Point_2> before(map.uv.begin(), map.uv.end());
+  const auto quantization =
+    QR::quantize(map.mesh, map.uv, parameters::target_number_of_quads(77).needs_face_graph(true));
+  CHECK_IN(quantization.message, bool(quantization));
+  CHECK(std::equal(before.begin(), before.end(), map.uv.begin()));
+  Mesh quads;
+  const auto report = QR::extract_quad_mesh(quantization, map.mesh, quads);
+  CHECK_IN(report.message, bool(report));
+  CHECK(!quads.is_empty() && CGAL::is_closed(quads));
+  for(const auto v : quads.vertices())
+    CHECK_EQUAL(quads.degree(v), 4u);
+
+  Grid_map thin(surfaces::torus(4, 4), 1, 1);
+  stretch(thin, 1e-40);
+  check_refusal(thin, Status::TOO_LARGE, "which was tried: 8 faces", 77);
+}
+
 void test_refusals()
 {
   Grid_map map(surfaces::box(1, 1, 1), 4, 4);
@@ -3040,6 +3068,7 @@ int main()
     test_release_of_features();
     test_unaligned_borders();
     test_folds();
+    test_map_near_origin();
     test_empty_mesh();
     test_addition_of_quads();
     test_doubled_strips();

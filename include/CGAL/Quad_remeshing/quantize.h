@@ -24,6 +24,7 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/internal/cells/extract_cells.h>
+#include <CGAL/Quad_remeshing/internal/move_from_origin.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Straight_walk.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
@@ -31,6 +32,8 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -108,21 +111,37 @@ Quantization_options quantization_options(const TriangleMesh& tmesh, const Named
   return options;
 }
 
-// Reads the map, and quantizes it.
+// Reads the map, and quantizes it; and once more, away from the origin, where only its bits are in
+// the way. With a coarse triangulation, the number of quads is too large, and no coordinate.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                           const NamedParameters& np, const Quantization_options& options)
 {
   const Protect_exact_arithmetic protect;
   const Flat_numbering<TriangleMesh> numbering(tmesh);
-  Chart_mesh mesh;
-  if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh))
-    return refused<Quantization>(*refusal);
   const std::vector<char> is_feature = feature_corners(tmesh, numbering, np);
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto vertex_name = [&](const std::size_t v)
     { return std::to_string(get(vertex_indices, numbering.vertices_in_order()[v])); };
-  return quantize_surface(mesh, is_feature, options, vertex_name);
+  const auto quantize = [&](const auto& coordinates, Chart_mesh& mesh) {
+    if(const auto refusal = read_exact_map(tmesh, numbering, coordinates, np, mesh))
+      return refused<Quantization>(*refusal);
+    return quantize_surface(mesh, is_feature, options, vertex_name);
+  };
+  Chart_mesh mesh;
+  Quantization result = quantize(uv_map, mesh);
+  if(result.status != Outcome::TOO_LARGE || result.number_of_coarse_faces > 0)
+    return result;
+  using Point = CGAL::Simple_cartesian<double>::Point_2;
+  const auto moved = get(CGAL::dynamic_halfedge_property_t<Point>(), tmesh);
+  if(!snap_far_from_origin(tmesh, numbering, mesh, is_feature, moved))
+    return result;
+  Chart_mesh moved_mesh;
+  Quantization again = quantize(moved, moved_mesh);
+  if(again.status != Outcome::NOT_POSITIVE)
+    return again;
+  result.message += ", which was tried: " + again.message;
+  return result;
 }
 
 // \param leave_out_folded_cells whether cells that are folded around a point of one edge are left
@@ -199,10 +218,14 @@ exactly; what remains is a coarse triangulation, whose edges are the vectors bet
 become vectors of integers, such that all triangles close, match across edges, and stay positive.
 `extract_quad_mesh()` takes the quads from that, and finds where their vertices lie on the input.
 
-It succeeds for each exactly seamless map of positive faces, unless numbers exceed 64 bits. Border
-edges that lie on no isocurve are followed by two sides of quads each, whose common vertex lies on
-the edge, and counted; edges that are off by less than 1e-4 of their length are meant to be aligned,
-and refused. Where the scale wanted is too coarse for integers to be found there, the
+It succeeds for each exactly seamless map of positive faces, unless numbers exceed 64 bits. Near the
+origin, coordinates may have finer bits than such numbers hold beside the largest coordinate. Then a
+copy of the map is moved by a power of two, which rounds it, and snapped again; only where faces are
+too thin for that, the map is refused.
+
+Border edges that lie on no isocurve are followed by two sides of quads each, whose common vertex
+lies on the edge, and counted; edges that are off by less than 1e-4 of their length are meant to be
+aligned, and refused. Where the scale wanted is too coarse for integers to be found there, the
 search starts at a finer one and comes back as far as it can; so the number of quads can exceed the
 one wanted, by far where cones lie close together. Above `maximum_number` of them the status is
 `TOO_LARGE`, and the message tells which number would work.

@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
+#include <CGAL/Quad_remeshing/internal/move_from_origin.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <algorithm>
@@ -180,7 +181,7 @@ private:
       return refuse(m_run.report, made.status, with_face_of_input(made.message));
     constexpr double of_map = 8; // for each face
     count_iterations(of_map + double(made.number_of_untangling_iterations));
-    move_map_from_origin();
+    move_from_origin(m_run.mesh(), m_run.surface.uv_map());
     for(const auto& [v, w] : made.released_edges)
       m_run.release(m_run.mesh().halfedge(v, w));
     m_run.report.number_of_flipped_faces = made.number_of_flipped_faces;
@@ -229,20 +230,6 @@ private:
 
   void count_iterations(const double iterations)
   { m_run.work.spend(iterations * double(m_run.mesh().number_of_faces())); }
-
-  // To where all coordinates have bits of the same size, but for one. Near the origin, translations
-  // may have finer bits than integers of 64 bits can hold beside the largest coordinate.
-  void move_map_from_origin()
-  {
-    double largest = 0;
-    const auto uv = m_run.surface.uv_map();
-    for(const auto h : m_run.mesh().halfedges())
-      for(const double x : {uv[h].x(), uv[h].y()})
-        largest = (std::max)(largest, std::abs(x));
-    const double distance = std::ldexp(1., std::ilogb(largest) + 2);
-    for(const auto h : m_run.mesh().halfedges())
-      uv[h] = Surface_to_remesh::Kernel::Point_2(uv[h].x() + distance, uv[h].y() + distance);
-  }
 
   bool quantize()
   {
