@@ -13,6 +13,7 @@
 #include <limits>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace QR = CGAL::Quad_remeshing;
@@ -93,15 +94,15 @@ Marked_features Feature_options::mark(Model& model, std::ostream& os) const
   return result;
 }
 
-std::size_t release_one_of_three(const Mesh& mesh, Edge_bool_map& is_feature)
+std::vector<Edge> release_one_of_three(const Mesh& mesh, Edge_bool_map& is_aligned)
 {
-  std::size_t result = 0;
+  std::vector<Edge> result;
   for(const auto f : mesh.faces()) {
     const auto around = mesh.halfedges_around_face(mesh.halfedge(f));
     if(std::all_of(around.begin(), around.end(),
-                   [&](Halfedge h) { return is_feature[mesh.edge(h)]; })) {
-      is_feature[mesh.edge(mesh.halfedge(f))] = false;
-      ++result;
+                   [&](Halfedge h) { return is_aligned[mesh.edge(h)]; })) {
+      result.push_back(mesh.edge(mesh.halfedge(f)));
+      is_aligned[result.back()] = false;
     }
   }
   return result;

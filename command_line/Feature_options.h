@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 class Options;
 
@@ -33,8 +34,8 @@ struct Feature_options
   Marked_features mark(Model& model, std::ostream& os) const;
 };
 
-// A face can be aligned along two of its edges at most. Returns the number of edges that are no
-// features any more.
-std::size_t release_one_of_three(const Mesh& mesh, Edge_bool_map& is_feature);
+// A face can be aligned along two of its edges at most. Returns the edges that are not aligned any
+// more.
+std::vector<Edge> release_one_of_three(const Mesh& mesh, Edge_bool_map& is_aligned);
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_FEATURE_OPTIONS_H

@@ -26,6 +26,7 @@
 #include <iostream>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace QR = CGAL::Quad_remeshing;
 
@@ -83,6 +84,7 @@ struct Parametrize_options
 struct Outcome
 {
   Repairs repairs;
+  std::size_t number_of_single_edges = 0; // that are released, each as one of all three of a face
   QR::Parametrization_report<Mesh::Vertex_index> made;
   QR::Snapping_report snapped;
   bool is_exact = false;
@@ -98,7 +100,7 @@ struct Outcome
             {"border_loops", made.number_of_border_loops}, {"cones", made.cones.size()},
             {"cut_edges", is_exact ? snapped.run.number_of_cut_edges : made.number_of_cut_edges},
             {"aligned_edges", made.number_of_aligned_edges},
-            {"released_edges", made.released_edges.size()},
+            {"released_edges", number_of_single_edges + made.released_edges.size()},
             {"flipped_faces", made.number_of_flipped_faces},
             {"extent", made.extent}, {"violation", made.violation},
             {"largest_change", snapped.largest_change},
@@ -119,11 +121,32 @@ void write_made(std::ostream& os, const Outcome& outcome, const Model& model)
                              std::to_string(v) + " and " + std::to_string(w), model) << "\n";
 }
 
+// The features, which become fewer, and the border if that is asked for.
+Edge_bool_map aligned_edges(const Parametrize_options& options, Model& model, Outcome& outcome,
+                            std::ostream& os)
+{
+  const Mesh& mesh = model.mesh;
+  Edge_bool_map result = model.mesh.add_property_map<Edge, bool>("e:aligned", false).first;
+  for(const Edge e : mesh.edges())
+    result[e] = model.is_feature[e] || (options.align_border && mesh.is_border(e));
+  const std::vector<Edge> released = release_one_of_three(mesh, result);
+  for(const Edge e : released)
+    model.is_feature[e] = false;
+  outcome.number_of_single_edges = released.size();
+  if(!released.empty())
+    os << in_words_of_user(
+            "not aligned, as all three of a face would be: " + counted(released.size(), "edge") +
+              ", the first is that of the vertices " +
+              std::to_string(mesh.vertex(released.front(), 0)) + " and " +
+              std::to_string(mesh.vertex(released.front(), 1)), model) << "\n";
+  return result;
+}
+
 void make_parametrization(const Parametrize_options& options, Model& model, Outcome& outcome,
                           std::ostream& os)
 {
-  const auto alignment = QR::parameters::edge_is_constrained_map(model.is_feature)
-                                        .align_border(options.align_border)
+  Edge_bool_map is_aligned = aligned_edges(options, model, outcome, os);
+  const auto alignment = QR::parameters::edge_is_constrained_map(is_aligned)
                                         .verbose(options.reading.verbose);
   const auto is_cut = get(CGAL::dynamic_edge_property_t<bool>(), model.mesh);
   const auto rotation = get(CGAL::dynamic_halfedge_property_t<int>(), model.mesh);
@@ -140,8 +163,10 @@ void make_parametrization(const Parametrize_options& options, Model& model, Outc
   if(!made)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(made.message, model));
   write_made(os, outcome, model);
-  for(const auto& [v, w] : made.released_edges)
-    model.is_feature[model.mesh.edge(model.mesh.halfedge(v, w))] = false;
+  for(const auto& [v, w] : made.released_edges) {
+    const Edge e = model.mesh.edge(model.mesh.halfedge(v, w));
+    model.is_feature[e] = is_aligned[e] = false;
+  }
   if(!options.approximate.empty())
     write_file(options.approximate, text_of_model(model, options.approximate));
 
@@ -180,10 +205,6 @@ void parametrize(const Arguments& arguments)
   write_repairs(os, options.input, outcome.repairs);
   os << note_on_features(options.reading.features, model);
   options.features.mark(model, os);
-  const std::size_t released = release_one_of_three(model.mesh, model.is_feature);
-  if(released > 0)
-    os << "not aligned, as all three of a face would be: " << counted(released, "feature edge")
-       << "\n";
   run_and_tell([&] { make_parametrization(options, model, outcome, os); },
                [&](Exit, const std::string& message) {
     if(!options.report.empty())
