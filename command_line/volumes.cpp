@@ -97,6 +97,7 @@ std::string with_options(const std::string& message)
     {"pass align_boundary(false)", "give --free-boundary; for features, --ignore-features"},
     {"grid_scale", "--grid-scale"},
     {"the rounding_tolerance of", "--rounding"},
+    {"Flip_repair::UNTANGLE changes", "--repair-flips changes"},
     {"number_of_untangling_iterations", "--untangling-iterations"}};
   return with_words(message, words);
 }
@@ -324,6 +325,8 @@ void snap_volume(const Arguments& arguments)
     }
     if(report.run.number_of_repaired_flips > 0)
       os << report.run.number_of_repaired_flips << " flipped or degenerate cells repaired\n";
+    if(report.status == Snapping::Outcome::SNAPPED && !report.message.empty())
+      os << "note: " << with_options(report.message) << "\n";
     if(report.status == Snapping::Outcome::FLIPS_REMAIN)
       throw Failure(STILL_FLIPPED, input + ": " + with_options(report.message));
   };

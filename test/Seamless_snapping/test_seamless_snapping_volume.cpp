@@ -381,6 +381,7 @@ int main(int argc, char** argv)
   test_orientations_of_lists();
   test_interruptions();
   test_cell_without_volume();
+  test_levels_on_one_integer();
   test_files();
   test_rounding_of_fractions();
   test_further_files();

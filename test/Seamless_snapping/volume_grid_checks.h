@@ -388,4 +388,63 @@ inline void test_cell_without_volume()
   CHECK(report.message.find("no volume") != std::string::npos);
 }
 
+// A box of three cubes in a row, the first of which becomes 0.3 wide, before a plane of features:
+// its two planes are rounded to one integer.
+inline void test_levels_on_one_integer()
+{
+  Tet_map map = box_map(4);
+  Point least = map.corners[0], largest = map.corners[0];
+  for(const Point& p : map.corners)
+    for(std::size_t k = 0; k < 3; ++k) {
+      least[k] = (std::min)(least[k], p[k]);
+      largest[k] = (std::max)(largest[k], p[k]);
+    }
+  std::size_t along = 0;
+  for(std::size_t k = 1; k < 3; ++k)
+    if(largest[k] - least[k] > largest[along] - least[along])
+      along = k;
+  for(Point& p : map.corners) {
+    for(std::size_t k = 0; k < 3; ++k)
+      p[k] = std::round(12 * cubes_to_units * (p[k] - least[k])) / 12;
+    p[along] = p[along] < 1 ? 0.3 * p[along] : p[along] - 0.7;
+  }
+  std::vector<std::array<std::int32_t, 3> > features;
+  for(const auto& [facet, cells] : volume_reference::cells_of_facets(map)) {
+    const auto points = volume_reference::facet_points(map, cells[0], facet);
+    if(std::all_of(points.begin(), points.end(), [&](const Point& p)
+                   { return p[along] == 1 - 0.7; }))
+      features.push_back({{facet[0], facet[1], facet[2]}});
+  }
+  const auto lies_between = [&](const std::size_t c) {
+    const auto has_corner_at = [&](const double x) {
+      return std::any_of(map.corners.begin() + std::ptrdiff_t(4 * c),
+                         map.corners.begin() + std::ptrdiff_t(4 * c + 4),
+                         [&](const Point& p) { return p[along] == x; });
+    };
+    return has_corner_at(0) && has_corner_at(1 - 0.7);
+  };
+  const auto grid =
+    parameters::integer_grid(true).rounding_tolerance(1.).feature_facets(features);
+  for(const auto repair : {Snapping::Flip_repair::NONE, Snapping::Flip_repair::UNTANGLE}) {
+    Tet_map copy = map;
+    const Snapping_report report = snap(copy, grid.repair_flips(repair));
+    CHECK_IN(report.message, bool(report));
+    CHECK_EQUAL(report.status, repair == Snapping::Flip_repair::NONE ? Outcome::SNAPPED
+                                                                     : Outcome::FLIPS_REMAIN);
+    CHECK_EQUAL(report.run.number_of_faces_without_area, std::size_t(0));
+    const auto number = std::count_if(report.lost_faces.begin(), report.lost_faces.end(),
+                                      lies_between);
+    CHECK(number > 0);
+    CHECK_IN(report.message, report.message.find("rounded to the same integer: " +
+                                                 std::to_string(number) + " (") !=
+                               std::string::npos &&
+                             report.message.find("grid_scale") != std::string::npos &&
+                             report.message.find("no volume") == std::string::npos &&
+                             report.message.find("UNTANGLE") == std::string::npos);
+  }
+  Tet_map copy = map; // as the message tells
+  const Snapping_report report = snap(copy, grid.grid_scale(4.));
+  CHECK_IN(report.message, bool(report) && report.lost_faces.empty() && report.message.empty());
+}
+
 #endif // SEAMLESS_SNAPPING_TEST_VOLUME_GRID_CHECKS_H

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -103,6 +104,7 @@ private:
       if(const auto refusal = add_grid_edges(m_volume))
         return refusal;
     const Volume_structure structure(m_volume);
+    const std::vector<Uvw> unrounded = m_volume.coordinates;
     if(m_options.rounds) {
       std::vector<Uvw> rounded;
       if(const auto refusal =
@@ -112,7 +114,10 @@ private:
       if(!rounded.empty())
         m_volume.coordinates.swap(rounded);
     }
-    return repair(structure, input, orientation);
+    if(const auto refusal = repair(structure, input, orientation))
+      return refusal;
+    look_for_levels(structure, unrounded);
+    return std::nullopt;
   }
 
   // After roundings, near by at least: their displacement may have made flips.
@@ -136,7 +141,6 @@ private:
                      "report this");
     m_volume.coordinates.swap(u);
     fill_in_changes(structure.sectors, input, m_volume.coordinates, m_report);
-    m_report.run.number_of_faces_without_area = number_without_volume(structure);
     m_timer.finish("verification");
     return std::nullopt;
   }
@@ -161,26 +165,33 @@ private:
                      "; scale the map up by grid_scale, as no repair brings these back");
   }
 
-  // Cells all of whose vertices lie in one plane that a level fixes each.
-  std::size_t number_without_volume(const Volume_structure& structure) const
+  // Cells all of whose vertices lie in one plane that a level fixes each, whatever the coordinates
+  // are; and those with levels that differed before they were rounded, and are one now.
+  void look_for_levels(const Volume_structure& structure, const std::vector<Uvw>& unrounded)
   {
     std::vector<char> is_level(3 * structure.sectors.number_of_sectors(), 0);
     for(const Sector_level& l : structure.sectors.levels)
       is_level[3 * std::size_t(l.sector) + std::size_t(l.coordinate)] = 1;
-    std::size_t result = 0;
+    m_has_joined_levels.assign(m_volume.number_of_cells(), 0);
     for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c) {
       bool is_flat = false;
       for(std::size_t k = 0; k < 3; ++k) {
-        std::size_t number = 0; // of corners with the level of the first
+        std::vector<std::size_t> corners; // on levels
         for(std::size_t i = 4 * c; i < 4 * c + 4; ++i)
-          number += std::size_t(
-            is_level[3 * std::size_t(structure.sectors.sector[i]) + k] != 0 &&
-            m_volume.coordinates[i][k] == m_volume.coordinates[4 * c][k]);
+          if(is_level[3 * std::size_t(structure.sectors.sector[i]) + k] != 0)
+            corners.push_back(i);
+        std::size_t number = 0; // with the level of the first
+        for(const std::size_t i : corners) {
+          number += std::size_t(unrounded[i][k] == unrounded[corners[0]][k]);
+          for(const std::size_t j : corners)
+            if(unrounded[i][k] != unrounded[j][k] &&
+               m_volume.coordinates[i][k] == m_volume.coordinates[j][k])
+              m_has_joined_levels[c] = 1;
+        }
         is_flat = is_flat || number == 4;
       }
-      result += std::size_t(is_flat);
+      m_report.run.number_of_faces_without_area += std::size_t(is_flat);
     }
-    return result;
   }
 
   // All that came between does not count.
@@ -202,18 +213,18 @@ private:
     }
     m_report.status = m_options.grid_scale == 1 && u == input ? Outcome::ALREADY_EXACT
                                                               : Outcome::SNAPPED;
-    if(m_options.flip_repair != Flip_repair::NONE)
-      tell_of_cells();
-    else
+    if(m_options.flip_repair == Flip_repair::NONE)
       m_report.remaining_flips.clear();
+    if(m_report.lost_faces.size() + m_report.remaining_flips.size() > 0)
+      tell_of_cells();
   }
 
+  // In the status, too, where repairs were asked for.
   void tell_of_cells()
   {
     const std::size_t lost = m_report.lost_faces.size(), flips = m_report.remaining_flips.size();
-    if(lost + flips == 0)
-      return;
-    m_report.status = Outcome::FLIPS_REMAIN;
+    if(m_options.flip_repair != Flip_repair::NONE)
+      m_report.status = Outcome::FLIPS_REMAIN;
     const auto names = [](const std::vector<std::size_t>& cells) {
       return std::to_string(cells.size()) + " (the first is cell " + std::to_string(cells.front()) +
              ")";
@@ -224,18 +235,29 @@ private:
     if(lost > 0)
       m_report.message += (flips > 0 ? "; " : "") + std::string("cells that had the orientation of "
                           "most cells and lost it: ") + names(m_report.lost_faces);
-    if(const std::size_t n = m_report.run.number_of_faces_without_area; n > 0)
+    std::vector<std::size_t> joined;
+    for(const auto& cells : {m_report.lost_faces, m_report.remaining_flips})
+      std::copy_if(cells.begin(), cells.end(), std::back_inserter(joined), [&](const std::size_t c)
+                   { return !m_has_joined_levels.empty() && m_has_joined_levels[c] != 0; });
+    const std::size_t n = m_report.run.number_of_faces_without_area;
+    if(!joined.empty())
+      m_report.message += "; of these, cells between alignments that were rounded to the same "
+                          "integer: " + names(joined) + ": scale the map up by grid_scale";
+    if(n > 0)
       m_report.message += "; alignments leave " + counted(n, "cell") + " no volume, whatever "
                           "the coordinates are: align less, or divide them";
-    else if(m_report.run.number_of_untangling_iterations ==
+    if(n > 0 || !joined.empty())
+      return;
+    if(m_report.run.number_of_untangling_iterations ==
             m_options.number_of_untangling_iterations)
       m_report.message += "; the search for repairs ended at number_of_untangling_iterations: "
                           "raise it";
-    else if(m_options.flip_repair == Flip_repair::NEAR_BY)
+    else if(m_options.flip_repair != Flip_repair::UNTANGLE)
       m_report.message += "; Flip_repair::UNTANGLE changes more of the map";
   }
 
   Flat_volume m_volume; // becomes the result
+  std::vector<char> m_has_joined_levels; // per cell, once there are roundings or repairs
   std::size_t m_number_of_feature_edges;
   const Volume_options& m_options;
   Number_format m_format;
