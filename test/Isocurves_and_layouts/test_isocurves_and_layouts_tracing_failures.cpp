@@ -17,6 +17,7 @@
 #include <CGAL/Seamless_snapping/is_seamless.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
@@ -65,6 +66,23 @@ void test_failures()
       for(const auto& [start, direction] : tracer.outgoing(v))
         bad += is_good(tracer, tracer.trace(start, direction), mesh, uv) ? 0 : 1;
     CHECK_EQUAL(bad, std::size_t(0));
+  }
+}
+
+// Products of coordinates of such sizes underflow or overflow; the curves are the same.
+void test_failures_of_any_size()
+{
+  for(const int exponent : {-560, 560}) {
+    auto all = test_meshes::all_meshes<Kernel>();
+    for(std::size_t i = 0; i < all.size(); i += 4) {
+      Mesh& mesh = all[i].mesh;
+      const UV_map uv = test_meshes::uv_map(mesh);
+      uv_noise::perturb(mesh, uv, 1e-9, 1);
+      const Counts ends = naive_ends(mesh, uv, 1e-6);
+      for(const auto h : mesh.halfedges())
+        uv[h] = Kernel::Point_2(std::ldexp(uv[h].x(), exponent), std::ldexp(uv[h].y(), exponent));
+      CHECK_IN(all[i].name, naive_ends(mesh, uv, 1e-6) == ends);
+    }
   }
 }
 
@@ -303,6 +321,7 @@ int main()
 {
   const Floating_point_traps traps; // for all functions that are called
   test_failures();
+  test_failures_of_any_size();
   test_failures_of_computed_maps();
   std::cout << "random seed 1" << std::endl;
   const Totals totals = test_files(test_data::package_files());
