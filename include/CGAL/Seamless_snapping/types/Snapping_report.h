@@ -71,7 +71,8 @@ struct Snapping_figures
   /// edges too short to tell their rotation, which took another one from their surroundings than
   /// the one that fits them best by themselves
   std::size_t number_of_edges_decided_by_surroundings = 0;
-  /// interior vertices whose holonomy is not the identity
+  /// interior vertices whose holonomy is not the identity: cones of 720 degrees, or another
+  /// multiple of 360, are not among them, but among `Seam_transitions::singular_vertices()`
   std::size_t number_of_singular_vertices = 0;
   std::size_t number_of_sectors = 0; ///< sectors at the vertices of cut, merged, and aligned edges
   std::size_t number_of_nodes = 0;   ///< vertices whose sectors enter the constraint system
