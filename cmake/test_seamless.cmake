@@ -272,6 +272,13 @@ expect_repair(twice.off "OFF\n5 5 0\n${points}${body}3 2 0 4\n3 1 4 0\n"
   "1 face was removed that had the corners of others" removed_duplicate_faces 1)
 expect_repair(degenerate.off "OFF\n5 5 0\n${points}${body}3 2 0 4\n3 1 1 0\n"
   "1 face was removed that had less than three different corners" removed_degenerate_faces 1)
+# a piece by itself, and one that is cut off, as three faces share an edge
+set(flat "1 face was removed with pieces that have no area, the first is face 1")
+set(points "0 0 0\n2 0 0\n0 1 0\n0 -1 0\n1 0 0\n")
+expect_repair(flat.off "OFF\n7 2 0\n${points}3 0 0\n4 0 0\n3 0 1 2\n3 4 5 6\n" "${flat}"
+  removed_faces_of_flat_pieces 1)
+expect_repair(flat_fin.off "OFF\n5 3 0\n${points}3 0 1 2\n3 0 1 4\n3 1 0 3\n" "${flat}"
+  removed_faces_of_flat_pieces 1)
 expect_repair(square.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2//1 3 4\n"
   "1 face was triangulated" triangulated_faces 1)
 set(halves "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\nv -1 0 0\n")

@@ -240,8 +240,6 @@ Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
   repairs.vertices = model.mesh.number_of_vertices();
   repairs.faces = model.mesh.number_of_faces();
   repairs.faces_without_area = count_faces_without_area(model.mesh);
-  if(repairs.faces_without_area == repairs.faces)
-    throw Failure(UNREADABLE, "the faces have no area: the corners of each lie on a line");
   if(with_features)
     mark_segments(soup, surface, model);
   return repairs;
@@ -273,6 +271,8 @@ std::string Repairs::in_words() const
   add(cut_edges, "edge", "cut that three faces or more had shared");
   add(one_sided_edges, "edge", "cut as the surface had one side only");
   add(bowtie_vertices, "vertex", "added where faces had met in a point only");
+  add(faces_of_flat_pieces, "face", "removed with pieces that have no area, the first is face " +
+                                      std::to_string(first_face_of_flat_pieces));
   add(turned_faces, "face", "turned round to fit the others");
   add(triangulated_faces, "face", "triangulated");
   return result;
@@ -337,6 +337,7 @@ nlohmann::json json_of(const Repairs& r)
                        {"cut_edges", r.cut_edges},
                        {"cut_one_sided_edges", r.one_sided_edges},
                        {"added_bowtie_vertices", r.bowtie_vertices},
+                       {"removed_faces_of_flat_pieces", r.faces_of_flat_pieces},
                        {"turned_faces", r.turned_faces},
                        {"triangulated_faces", r.triangulated_faces}}},
           {"repaired", r.in_words()},

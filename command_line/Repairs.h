@@ -25,6 +25,8 @@ struct Repairs
   std::size_t cut_edges = 0;          // of three faces or more
   std::size_t one_sided_edges = 0;    // cut, as no way to turn the faces fits
   std::size_t bowtie_vertices = 0;    // copies of vertices that fans of faces had met in
+  std::size_t faces_of_flat_pieces = 0; // removed: pieces none of whose faces has an area
+  std::size_t first_face_of_flat_pieces = 0; // its number in the file
   std::size_t turned_faces = 0;
   std::size_t triangulated_faces = 0; // of more than three corners
 

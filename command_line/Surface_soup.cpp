@@ -2,6 +2,8 @@
 
 #include "Failure.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <boost/functional/hash.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -657,6 +659,62 @@ void check_and_count_cuts(const Surface_soup& surface, Repairs& repairs)
   }
 }
 
+bool has_area(const Surface_soup& surface, const Polygon& polygon)
+{
+  using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  std::vector<Exact_kernel::Point_3> corners;
+  for(const std::size_t v : polygon) {
+    const Kernel::Point_3& p = surface.points[v];
+    corners.emplace_back(p.x(), p.y(), p.z());
+  }
+  for(std::size_t k = 2; k < corners.size(); ++k) // as those that follow on each other differ
+    if(!CGAL::collinear(corners[k - 2], corners[k - 1], corners[k]))
+      return true;
+  return false;
+}
+
+// Removes the pieces none of whose faces has an area.
+void remove_flat_pieces(const Polygon_soup& soup, Surface_soup& surface, Repairs& repairs)
+{
+  boost::disjoint_sets_with_storage<> pieces(surface.polygons.size());
+  std::vector<Side> sides = all_sides(surface);
+  for_each_key(sides, [&](const auto begin, const auto end) {
+    for(auto it = begin; it != end; ++it)
+      pieces.union_set(begin->face, it->face);
+  });
+  std::vector<char> is_kept(surface.polygons.size(), 0); // per piece
+  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
+    if(has_area(surface, surface.polygons[f]))
+      is_kept[pieces.find_set(f)] = 1;
+  Surface_soup kept;
+  std::vector<std::size_t> new_index(surface.points.size(), 0);
+  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
+    if(is_kept[pieces.find_set(f)]) {
+      kept.polygons.push_back(surface.polygons[f]);
+      kept.file_faces.push_back(surface.file_faces[f]);
+      kept.is_turned.push_back(surface.is_turned[f]);
+      for(const std::size_t v : surface.polygons[f])
+        new_index[v] = 1;
+    } else if(repairs.faces_of_flat_pieces++ == 0) {
+      repairs.first_face_of_flat_pieces = surface.file_faces[f] + soup.first_number;
+    }
+  if(repairs.faces_of_flat_pieces == 0)
+    return;
+  if(kept.polygons.empty())
+    throw Failure(UNREADABLE, "the faces have no area: the corners of each lie on a line");
+  for(std::size_t v = 0; v < new_index.size(); ++v)
+    if(new_index[v] == 1) {
+      new_index[v] = kept.points.size();
+      kept.points.push_back(surface.points[v]);
+      kept.file_points.push_back(surface.file_points[v]);
+    }
+  for(Polygon& polygon : kept.polygons)
+    for(std::size_t& v : polygon)
+      v = new_index[v];
+  kept.places.swap(surface.places);
+  surface = std::move(kept);
+}
+
 } // namespace
 
 void refuse(const Polygon_soup& soup, const std::size_t face, const std::string& why)
@@ -724,5 +782,6 @@ Surface_soup make_surface(const Polygon_soup& soup, Repairs& repairs)
   add_points(soup, surface);
   cut_and_turn(surface);
   check_and_count_cuts(surface, repairs);
+  remove_flat_pieces(soup, surface, repairs);
   return surface;
 }
