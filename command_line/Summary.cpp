@@ -145,7 +145,8 @@ void write_snap(std::ostream& os, const Summary& s)
   os << counted(r.run.number_of_cut_edges, "cut edge") << " in "
      << counted(r.run.number_of_cut_branches, "branch") << ", "
      << counted(r.run.number_of_nodes, "node") << ", "
-     << counted(r.run.number_of_singular_vertices, "singular vertex") << " by rotations alone\n";
+     << counted(r.run.number_of_singular_vertices, "singular vertex")
+     << " (cones of 720 degrees are not counted)\n";
   if(r.run.number_of_edges_decided_by_surroundings > 0)
     os << "note: another rotation than the nearest one was taken for "
        << counted(r.run.number_of_edges_decided_by_surroundings, "edge")
