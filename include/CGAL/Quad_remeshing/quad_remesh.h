@@ -206,12 +206,13 @@ then is mended as before, if fewer are. With `symmetry_plane`, vertices stay.
 Where quads are inverted even then, the features are released that are nearer to them than an edge
 of a quad, or two, four, or eight if there are none, and all is made again; if that does not help,
 those within twice as many edges. So there are at most five attempts, each if a quarter of the work
-is left that the first one took. Where more than a twentieth of the quads are inverted and at features,
-and half of the bound below is left, that is done at once, without mending them one by one. Where the mean scaled Jacobian is less than 0.9, though features
-force few quads, so that there are less than 1.1 times as many as wanted, there is a second attempt
-without features near quads whose scaled Jacobian is less than 0.1. What has the fewest inverted
-quads is the result, and then the better mean scaled Jacobian, less half of the part of the
-features' length that is released; these quads are counted in the report.
+is left that the first one took. Where more than a twentieth of the quads are inverted and at
+features, and half of the bound below is left, that is done at once, without mending them one by
+one. Where the mean scaled Jacobian is less than 0.9, though features force few quads, so that there
+are less than 1.1 times as many as wanted, there is a second attempt without features near quads
+whose scaled Jacobian is less than 0.1. What has the fewest inverted quads is the result, and then
+the better mean scaled Jacobian, less half of the part of the features' length that is released;
+these quads are counted in the report.
 
 Before, in a copy, triangles with three sides that are features or border are divided, and so are
 those at tips, where two of these meet in a sector of less than 50 degrees, longer than three times
