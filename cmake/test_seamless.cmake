@@ -811,6 +811,13 @@ expect_message("${json}" "\"median_size_deviation\": 0")
 seamless(0 remesh block.off block_quads.off --coarsest)
 expect_message("${out}" "note: the quads cut off much of the input")
 
+# far fewer than there can be: some more than the fewest, in a better shape
+seamless(0 body holes.off --genus 6)
+seamless(0 remesh holes.off holes_quads.off --number 20 --report holes.json)
+expect_message("${out}" "quads were found, too, but in a worse shape")
+file(READ "${WORK_DIR}/holes.json" json)
+expect("a bad shape: ${json}" json MATCHES "\"mean_scaled_jacobian\": 0\\.9")
+
 # sizes that hardly vary hardly make cones, also where a surface is rough
 set(rough "OFF\n625 1152 0\n")
 foreach(i RANGE 24)

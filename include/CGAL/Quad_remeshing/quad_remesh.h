@@ -255,10 +255,10 @@ wanted. Of at most 1,000, those of up to eight of these maps are compared, the f
 have at most a quarter more than the fewest, or than the wanted number: in a rough shape, after four
 rounds at most, and two of them once they are improved. The best ones are taken, by their shape,
 distance from the surface, and number: so there may be down to three quarters of those that are made
-where fewer are wanted. Where there are features, and the rough shape of the fewest is bad, with a
-mean scaled Jacobian below 0.9, up to five larger numbers of the same map, in steps of a tenth up to
-half as many again, are among these eight: the message tells if such ones are taken that are more
-than 1.1 times as many as wanted. The quad around a vertex of one edge is left out.
+where fewer are wanted. Where the rough shape of the fewest is bad, with a mean scaled Jacobian
+below 0.9, up to five larger numbers of the same map, in steps of a tenth up to half as many again,
+are among these eight: the message tells if such ones are taken that are more than 1.1 times as many
+as wanted. The quad around a vertex of one edge is left out.
 
 All searches, in all attempts, have a bound: the work of 20 million iterations of untangling over a
 face, of about 3 microseconds each, or of 100 for each face and each wanted quad, if that is more.

@@ -193,6 +193,7 @@ private:
     if(m_choices.size() < 2)
       return make_quads();
     const std::size_t fewest = m_choices.front().quantization.number_of_quads;
+    m_least_number = (std::max)(double(fewest), m_run.options.quantization.number_of_quads);
     const Surface_samples samples(m_run.mesh(), number_of_samples);
     keep_best_choices(samples, 2, [&](const Feature_lines& lines, Quad_smoother& smoother)
                                   { shape(lines, smoother, rounds_to_choose); });
@@ -235,7 +236,7 @@ private:
                                        samples.largest_distance(m_quads));
     return 2 * distance / diagonal - smoother.measure_shape().mean_scaled_jacobian +
            0.05 * double(smoother.number_of_inverted_quads()) +
-           0.3 * double(m_quads.number_of_faces()) / m_run.options.quantization.number_of_quads;
+           0.3 * double(m_quads.number_of_faces()) / m_least_number;
   }
 
   // Gives the quads of a choice a shape by `move(lines, smoother)`, and calls `measure(smoother)`.
@@ -254,13 +255,13 @@ private:
     m_run.timer.finish("smoothing");
   }
 
-  // Between features, few quads may have a bad shape where a few more have a good one: larger
-  // numbers of the same map are choices, too.
+  // Between features or cones, few quads may have a bad shape where a few more have a good one:
+  // larger numbers of the same map are choices, too.
   void add_larger_numbers()
   {
     constexpr double good_shape = 0.9; // a mean scaled Jacobian
     constexpr int most_steps = 5; // of a tenth
-    if(m_choices.empty() || !m_run.has_features())
+    if(m_choices.empty())
       return;
     const State first = m_choices.front();
     bool is_good = true;
@@ -467,6 +468,7 @@ private:
   std::vector<State> m_choices; // quads are made of the best one
   Mesh& m_quads;
   Feature_map m_is_feature;
+  double m_least_number = 1; // of quads, that is wanted and can be made
   std::vector<Point> m_inverted_places; // the corners of quads that are inverted or upside down
   std::vector<Point> m_thin_places; // of others
 };
