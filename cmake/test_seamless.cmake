@@ -732,7 +732,7 @@ expect_message("${json}" "\"T_junctions\": 1")
 file(WRITE "${WORK_DIR}/torn.off" "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n1 1 1e-9\n0 1 0\n0 -1e-9 0\n\
 3 0 1 2\n3 3 4 5\n")
 seamless(0 remesh torn.off sized.off --number 20 --report torn.json)
-expect_message("${out}" "note: near others of other pieces, at up to 1e-09, but not in the same ")
+expect_message("${out}" "note: near others across a gap, at up to 1e-09, but not in the same ")
 expect_message("${out}" "place: 4 border points")
 expect("${out}" NOT out MATCHES "inside of border edges")
 file(READ "${WORK_DIR}/torn.json" json)
@@ -745,6 +745,30 @@ seamless(0 remesh torn.off sized.off --number 20 --merge 5e-10)
 expect_message("${out}" "6 vertices, 2 pieces")
 seamless(3 remesh torn.off sized.off --number 20 --merge 1e300)
 expect_message("${err}" "no face has three corners in different places")
+# a tube whose first and last columns were both computed
+file(WRITE "${WORK_DIR}/tube.off" "OFF\n10 4 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n1 -1e-9 0\n\
+1 0 1\n0 1 1\n-1 0 1\n0 -1 1\n1 -1e-9 1\n4 0 1 6 5\n4 1 2 7 6\n4 2 3 8 7\n4 3 4 9 8\n")
+seamless(0 remesh tube.off sized.off --number 20)
+expect_message("${out}" "10 vertices, 1 piece")
+expect_message("${out}" "near others across a gap, at up to 1e-09, but not in the same ")
+expect_message("${out}" "place: 4 border points")
+seamless(0 remesh tube.off sized.off --number 20 --merge 2e-9)
+expect_message("${out}" "8 vertices, 1 piece")
+expect("${out}" NOT out MATCHES "across a gap")
+# no gaps: an edge of the border that is so short, a slit 50 times as long as it is wide, and a
+# ring that is open between two corners
+file(WRITE "${WORK_DIR}/blunt.off" "OFF\n5 1 0\n0 0 0\n1 0 0\n1 1 0\n1e-9 1 0\n0 0.999999999 0\n\
+5 0 1 2 3 4\n")
+file(WRITE "${WORK_DIR}/slit.off" "OFF\n9 4 0\n-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n-1 1e-8 0\n\
+-1 -1e-8 0\n-0.999999 1e-8 0\n-0.999999 -1e-8 0\n0 0 0\n\
+5 0 1 8 7 5\n3 1 2 8\n5 2 3 4 6 8\n3 6 7 8\n")
+file(WRITE "${WORK_DIR}/ring.off" "OFF\n10 5 0\n0 0 0\n1 -1 0\n1 1 0\n-1e-9 0 0\n-1 1 0\n-1 -1 0\n\
+3 -1 0\n3 3 0\n-3 3 0\n-3 -1 0\n3 0 1 2\n3 3 4 5\n4 1 6 7 2\n4 2 7 8 4\n4 4 8 9 5\n")
+foreach(name IN ITEMS blunt slit ring)
+  seamless(0 remesh ${name}.off sized.off --number 20)
+  expect_message("${out}" "1 piece")
+  expect("${name}: ${out}" NOT out MATCHES "across a gap")
+endforeach()
 file(WRITE "${WORK_DIR}/zero.txt" "0.1 0 0.1 0.1")
 seamless(3 remesh sheet.off sized.off --sizes zero.txt)
 expect_message("${err}" "zero.txt: number 2 of the file is not positive and finite")

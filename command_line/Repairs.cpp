@@ -152,37 +152,56 @@ std::size_t count_faces_without_area(const Mesh& mesh)
 // As of points that were rounded.
 double small_distance(const Mesh& mesh) { return 1e-6 * diagonal(mesh); }
 
-// Counts points of the border that are near to those of another piece. Of the points that follow
-// along a line, a hundred are looked at.
+// Whether the border runs along itself there, beyond a gap that is far smaller than the edges on
+// both sides: as a seam of which both sides were computed. Points of tiny edges, and those of a
+// border that comes near to itself in one point, are something else.
+// \param h,g of the border, to the points on both sides of the gap
+bool is_open_seam(const Mesh& mesh, const Halfedge h, const Halfedge g, const double gap,
+                  const double most)
+{
+  constexpr double least_ratio = 100;
+  const auto distance = [&](const auto v, const auto w)
+    { return CGAL::approximate_sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w))); };
+  for(const Halfedge e : {h, mesh.next(h), g, mesh.next(g)})
+    if(distance(mesh.source(e), mesh.target(e)) < least_ratio * gap)
+      return false;
+  const auto meet_again = [&](const Halfedge before, const Halfedge after)
+    { return distance(mesh.source(before), mesh.target(mesh.next(after))) <= most; };
+  return meet_again(h, g) || meet_again(g, h);
+}
+
+// Counts points of the border that are near to those of another piece, or beyond a seam. Of the
+// points that follow along a line, a hundred are looked at.
 void find_near_points(const Mesh& mesh, const Piece_map piece, Repairs& repairs)
 {
   struct Border_point
   {
     double place;
-    Kernel::Point_3 point;
-    std::size_t piece;
+    Halfedge halfedge; // of the border, to the point
     double nearest;
   };
   constexpr double none = std::numeric_limits<double>::infinity();
   constexpr std::size_t most_looked_at = 100;
-  if(repairs.pieces == 1)
-    return;
+  const auto piece_of = [&](const Border_point& p)
+    { return piece[mesh.face(mesh.opposite(p.halfedge))]; };
   const double most = small_distance(mesh);
   std::vector<Border_point> points;
   for(const Halfedge h : mesh.halfedges())
     if(mesh.is_border(h)) {
       const Kernel::Point_3& p = mesh.point(mesh.target(h));
-      points.push_back({0.48 * p.x() + 0.6 * p.y() + 0.64 * p.z(), p,
-                        piece[mesh.face(mesh.opposite(h))], none});
+      points.push_back({0.48 * p.x() + 0.6 * p.y() + 0.64 * p.z(), h, none});
     }
   std::sort(points.begin(), points.end(),
             [](const Border_point& a, const Border_point& b) { return a.place < b.place; });
   for(std::size_t i = 0; i < points.size(); ++i)
     for(std::size_t j = i + 1; j < (std::min)(points.size(), i + most_looked_at) &&
                                points[j].place - points[i].place <= most; ++j) {
-      const Kernel::Vector_3 v = points[j].point - points[i].point;
+      const Halfedge h = points[i].halfedge, g = points[j].halfedge;
+      const Kernel::Vector_3 v = mesh.point(mesh.target(g)) - mesh.point(mesh.target(h));
       const double distance = std::hypot(v.x(), v.y(), v.z());
-      if(points[i].piece != points[j].piece && distance > 0 && distance <= most)
+      if(distance > 0 && distance <= most &&
+         (piece_of(points[i]) != piece_of(points[j]) ||
+          is_open_seam(mesh, h, g, distance, most)))
         for(const std::size_t k : {i, j})
           points[k].nearest = (std::min)(points[k].nearest, distance);
     }
@@ -316,10 +335,10 @@ void write_repairs(std::ostream& os, const std::string& filename, const Repairs&
     os << "note: among them without area: " << counted(repairs.faces_without_area, "triangle")
        << "\n";
   if(repairs.near_points > 0)
-    os << "note: near others of other pieces, at up to " << repairs.distance_of_near_points
+    os << "note: near others across a gap, at up to " << repairs.distance_of_near_points
        << ", but not in the same place: " << counted(repairs.near_points, "border point")
-       << ". Each piece is meshed by itself; --merge " << 2 * repairs.distance_of_near_points
-       << " merges them, if the surface is to go on there\n";
+       << ". The border stays open there; --merge " << 2 * repairs.distance_of_near_points
+       << " merges them, if the surface is to go on\n";
   if(repairs.T_junctions > 0)
     os << "note: inside of border edges, as of parts that are divided differently: "
        << counted(repairs.T_junctions, "border point")
