@@ -41,6 +41,14 @@ void check_numbers(const std::string& filename, const std::vector<double>& numbe
                                        (is_raw ? "rosy" : "rawfield") + " file" : ""));
 }
 
+// A direction times a power of two, with coordinates of at most 2, as its length does not count.
+Kernel::Vector_3 near_one(const double x, const double y, const double z)
+{
+  const double size = (std::max)({std::abs(x), std::abs(y), std::abs(z)});
+  const int exponent = size > 0 ? std::ilogb(size) : 0;
+  return {std::ldexp(x, -exponent), std::ldexp(y, -exponent), std::ldexp(z, -exponent)};
+}
+
 // Whether it has a part along its face that is more than rounding.
 bool has_effect(const Kernel::Vector_3& direction, const Mesh::Face_index f, const Mesh& mesh)
 {
@@ -77,7 +85,7 @@ Direction_map read_directions(const std::string& filename, const Repairs& repair
   check_numbers(filename, numbers, is_raw, mesh.number_of_faces());
   std::size_t i = 2;
   for(const Mesh::Face_index f : mesh.faces()) {
-    result[f] = Kernel::Vector_3(numbers[i], numbers[i + 1], numbers[i + 2]);
+    result[f] = near_one(numbers[i], numbers[i + 1], numbers[i + 2]);
     i += is_raw ? 12 : 3;
   }
   if(std::none_of(mesh.faces_begin(), mesh.faces_end(),

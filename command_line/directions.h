@@ -17,7 +17,8 @@ using Direction_map = Mesh::Property_map<Mesh::Face_index, Kernel::Vector_3>;
 void check_direction_file(const std::string& filename);
 
 // Reads the directions of the faces, which are those of the file that the model was read from; 0
-// without a name. Throws `Failure`, also if the faces were repaired. Tells if none has an effect.
+// without a name; of a length near 1, as products of others might be 0 or infinite. Throws
+// `Failure`, also if the faces were repaired. Tells if none has an effect.
 Direction_map read_directions(const std::string& filename, const Repairs& repairs, Mesh& mesh,
                               std::ostream& os);
 
