@@ -705,6 +705,13 @@ foreach(arguments IN ITEMS "64;sheet.off;--sizes;sizes.txt"
   seamless(0 remesh ${input} sized.off ${arguments})
   expect_message("${out}" "${number} quads,")
 endforeach()
+# only ratios, even where squares are 0 or infinite
+foreach(size IN ITEMS 1e-160 1e-300 1e300)
+  file(WRITE "${WORK_DIR}/extreme.txt" "${size} ${size} ${size} ${size}")
+  seamless(0 remesh sheet.off sized.off --sizes extreme.txt --number 25)
+  expect_message("${out}" "25 quads,")
+  expect("${out}" out MATCHES "; [0-9.e-]+ % off the wanted length")
+endforeach()
 file(WRITE "${WORK_DIR}/few.txt" "0.1 0.1 0.1")
 seamless(2 remesh sheet.off sized.off --sizes few.txt --report few.txt)
 seamless(3 remesh sheet.off sized.off --sizes few.txt)

@@ -1715,6 +1715,16 @@ void test_sizes_of_quads()
   const auto by_length = QR::quad_remesh(mesh, smaller, np.target_edge_length(0.5));
   CHECK(by_length && std::abs(double(by_length.number_of_quads) /
                               double(report.number_of_quads) - 4) < 0.4);
+  for(const int exponent : {-1000, 1000}) { // squares are 0 and infinite
+    const auto extreme = mesh.add_property_map<Vertex, double>().first;
+    for(const auto v : mesh.vertices())
+      extreme[v] = std::ldexp(size[v], exponent);
+    const auto same = QR::quad_remesh(mesh, quads,
+                                      parameters::vertex_sizing_map(extreme)
+                                                 .target_number_of_quads(1000));
+    CHECK_IN(same.message, same.number_of_quads == by_number.number_of_quads &&
+                           same.median_size_deviation == by_number.median_size_deviation);
+  }
   size[Vertex(3)] = 0;
   CHECK(QR::quad_remesh(mesh, quads, np).status == QR::Outcome::INVALID_ARGUMENT);
 }

@@ -59,6 +59,7 @@ public:
   {
     read(m_surface);
     scale();
+    scale_sizes();
     for(const Face f : m_mesh.faces())
       m_surface.originals.push_back(std::size_t(f));
     if(!CGAL::is_triangle_mesh(m_mesh))
@@ -128,6 +129,19 @@ private:
       Point& p = m_mesh.point(v);
       p = Point(scaled(p.x()), scaled(p.y()), scaled(p.z()));
     }
+  }
+
+  // Only their ratios count, as the number of quads is known: the largest becomes one near 1, so
+  // that squares are neither 0 nor infinite. What is refused later stays as it is.
+  void scale_sizes()
+  {
+    const Sizing_map sizes = m_surface.sizes;
+    const auto [least, largest] = std::minmax_element(sizes.begin(), sizes.end());
+    if(least == sizes.end() || !(*least > 0 && std::isfinite(*largest / *least)))
+      return;
+    const int exponent = std::ilogb(*largest);
+    for(const Vertex v : m_mesh.vertices())
+      sizes[v] = std::ldexp(sizes[v], -exponent);
   }
 
   // Keeps nothing of a surface that meets itself along the plane.
