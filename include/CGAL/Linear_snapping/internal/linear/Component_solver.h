@@ -382,7 +382,10 @@ private:
   // An optimum beyond the largest number is replaced by the solution on its way to 0 that is not.
   void pull_into_range(Component_solution& solution) const
   {
-    const double limit = std::ldexp(1., m_format.maximum_exponent - solution.grid.exponent());
+    const int exponent = m_format.maximum_exponent - solution.grid.exponent();
+    if(exponent >= std::numeric_limits<double>::max_exponent) // of steps, there are no such numbers
+      return;
+    const double limit = std::ldexp(1., exponent);
     const double largest = largest_value(solution);
     if(!(largest >= limit))
       return;
