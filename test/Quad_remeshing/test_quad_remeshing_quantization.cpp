@@ -1970,6 +1970,10 @@ void check_refined_coin(const Coin& coin, const std::string& context)
   internal::Surface_to_remesh surface = surface_to_remesh(
     coin.mesh, parameters::edge_is_constrained_map(coin.is_feature).vertex_sizing_map(sizes));
   const double scale = surface.unscaled(1);
+  double largest_size = 0; // only ratios are kept
+  for(const auto v : coin.mesh.vertices())
+    largest_size = (std::max)(largest_size, get(sizes, v));
+  const double unit = std::ldexp(1., std::ilogb(largest_size));
   CHECK_IN(context, surface.refine(false));
   const auto& refined = surface.mesh();
   CHECK_IN(context, CGAL::is_valid_polygon_mesh(refined) && CGAL::is_triangle_mesh(refined) &&
@@ -1998,7 +2002,7 @@ void check_refined_coin(const Coin& coin, const std::string& context)
   CHECK_IN(context, std::abs(scale * scale * area_of(refined) - area_of(coin.mesh)) < 1e-11);
   for(const auto v : refined.vertices()) {
     const Point_3 p = point(v);
-    size_error = (std::max)(size_error, std::abs(surface.sizes()[v] - (2 + p.x() / 4)));
+    size_error = (std::max)(size_error, std::abs(unit * surface.sizes()[v] - (2 + p.x() / 4)));
     double nearest = 1;
     for(const auto f : coin.mesh.faces())
       nearest = (std::min)(nearest, CGAL::squared_distance(p, triangle(coin.mesh, f)));
