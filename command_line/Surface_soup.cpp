@@ -676,6 +676,12 @@ bool has_area(const Surface_soup& surface, const Polygon& polygon)
 // Removes the pieces none of whose faces has an area.
 void remove_flat_pieces(const Polygon_soup& soup, Surface_soup& surface, Repairs& repairs)
 {
+  std::vector<std::size_t> faces_with_area;
+  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
+    if(has_area(surface, surface.polygons[f]))
+      faces_with_area.push_back(f);
+  if(faces_with_area.size() == surface.polygons.size())
+    return;
   boost::disjoint_sets_with_storage<> pieces(surface.polygons.size());
   std::vector<Side> sides = all_sides(surface);
   for_each_key(sides, [&](const auto begin, const auto end) {
@@ -683,9 +689,8 @@ void remove_flat_pieces(const Polygon_soup& soup, Surface_soup& surface, Repairs
       pieces.union_set(begin->face, it->face);
   });
   std::vector<char> is_kept(surface.polygons.size(), 0); // per piece
-  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
-    if(has_area(surface, surface.polygons[f]))
-      is_kept[pieces.find_set(f)] = 1;
+  for(const std::size_t f : faces_with_area)
+    is_kept[pieces.find_set(f)] = 1;
   Surface_soup kept;
   std::vector<std::size_t> new_index(surface.points.size(), 0);
   for(std::size_t f = 0; f < surface.polygons.size(); ++f)
