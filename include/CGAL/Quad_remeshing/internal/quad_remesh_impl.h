@@ -327,9 +327,8 @@ private:
     m_quads.set_recycle_garbage(false); // so that each number is of one quad
     Quad_smoother smoother(m_quads, m_run.mesh());
     Upper_sides upper_sides(m_quads, m_is_feature, m_run.surface, smoother);
-    shape_and_improve(Feature_lines(m_run.surface), smoother);
-    if(m_run.options.number_of_smoothing_rounds > 0 && !m_run.surface.mirror() &&
-       !is_hopeless(smoother))
+    const bool is_improved = shape_and_improve(Feature_lines(m_run.surface), smoother);
+    if(is_improved && !m_run.surface.mirror())
       mend(upper_sides, smoother);
     m_run.work.spend(work_of(smoother));
     m_run.timer.finish("smoothing");
@@ -362,13 +361,16 @@ private:
     return true;
   }
 
-  // All but what is left to mend. Where the work is spent, in as few rounds as there are.
-  void shape_and_improve(const Feature_lines& lines, Quad_smoother& smoother)
+  // All but what is left to mend. Where the work is spent, in as few rounds as there are. Returns
+  // false if the quads stay as they are for want of rounds or of hope.
+  bool shape_and_improve(const Feature_lines& lines, Quad_smoother& smoother)
   {
     shape(lines, smoother,
           m_run.work.is_left() ? shaping_rounds * m_run.options.number_of_smoothing_rounds : 1);
-    if(m_run.options.number_of_smoothing_rounds > 0 && !is_hopeless(smoother))
-      improve(lines, smoother);
+    if(m_run.options.number_of_smoothing_rounds == 0 || is_hopeless(smoother))
+      return false;
+    improve(lines, smoother);
+    return true;
   }
 
   // To mend so many quads takes long, and leaves a bad shape. There is work left for an attempt
