@@ -74,6 +74,7 @@ public:
 
   // \pre the matrix is compressed
   void set_zero() { m_sum.coeffs().setZero(); }
+  void enlarge_diagonal(const double factor) { m_sum.diagonal() *= factor; }
 
 private:
   void add_terms()
@@ -237,13 +238,19 @@ public:
       m_matrix->add_coef(row, column, value);
   }
 
-  // To be called after the last coefficient.
+  // To be called after the last coefficient. The matrix is positive definite, but coefficients of
+  // long sums can hide that in roundings: then its diagonal is made a little larger.
   void factor()
   {
     Progress::tell_each_second([&] { return "solving for " + counted(m_dimension, "unknown"); });
     CGAL::Real_timer timer;
     timer.start();
-    const bool success = m_dimension == 0 || m_solver.solver->factor(*m_matrix);
+    bool success = m_dimension == 0 || m_solver.solver->factor(*m_matrix);
+    for(const double part : {1e-12, 1e-9})
+      if(!success) {
+        m_matrix->enlarge_diagonal(1 + part);
+        success = m_solver.solver->factor(*m_matrix);
+      }
     m_solver.seconds += timer.time();
     m_solver.multiplications += m_solver.solver->number_of_multiplications();
     if(!success)
