@@ -34,6 +34,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -274,7 +275,21 @@ private:
     const std::size_t forced = m_result.number_of_forced_quads;
     return "no " + std::string(m_options.needs_face_graph ? "mesh" : "arrangement") +
            " of fewer quads, down to the number wanted, was found" +
-           (forced > 0 ? "; features force about " + std::to_string(forced) + " of the quads" : "");
+           (forced > 0 ? "; features force about " + std::to_string(forced) + " of the quads"
+                       : "") + words_for_closed_parts();
+  }
+
+  // Six quads are the fewest of a closed mesh.
+  std::string words_for_closed_parts() const
+  {
+    const Integer_mesh& input = m_coarse->input;
+    std::set<std::int32_t> closed(input.part.begin(), input.part.end());
+    for(Corner_index h = 0; h < input.number_of_halfedges(); ++h)
+      if(input.is_border_edge(h))
+        closed.erase(input.part[std::size_t(h / 3)]);
+    return m_options.needs_face_graph && 6 * double(closed.size()) > m_options.number_of_quads
+             ? "; " + std::to_string(closed.size()) + " closed parts take at least 6 quads each"
+             : "";
   }
 
   // Where more than half of the quads are forced.
