@@ -157,9 +157,7 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   Remeshing_report report = make_quads(result, is_feature, options);
   if(!report)
     return report;
-  const double number_wanted = has_wanted_number && !options.quantization.is_coarsest &&
-                               options.curvature_adaptivity == 1
-                                 ? options.quantization.number_of_quads / growth : 0;
+  const double number_wanted = has_wanted_number ? options.number_wanted() / growth : 0;
   const Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>
     writer(tmesh, np1, np2);
   const Nearest_faces nearest =

@@ -42,6 +42,13 @@ struct Remeshing_options
   double curvature_adaptivity;
   std::size_t number_of_smoothing_rounds;
   bool has_single_precision; // the points of the quads
+
+  // Of quads; 0 where no lengths are wanted.
+  double number_wanted() const
+  {
+    return quantization.is_coarsest || curvature_adaptivity > 1 ? 0.
+                                                                : quantization.number_of_quads;
+  }
 };
 
 // In units of its sizes.

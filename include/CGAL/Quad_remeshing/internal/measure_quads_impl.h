@@ -45,11 +45,14 @@ inline double size_at(const Surface_to_remesh& input, const Space_vector& place,
          part[2] * input.sizes()[mesh.target(mesh.next(h))];
 }
 
-// \param unit of sizes; 0 where these are not known
-inline void measure_edges(const Surface_to_remesh& input, const double unit,
+// \param number_wanted of quads for the input, which tells the unit of sizes; 0 where these are not
+//        known
+inline void measure_edges(const Surface_to_remesh& input, const double number_wanted,
                           const Surface_to_remesh::Mesh& quads, const Quad_smoother& smoother,
                           Remeshing_report& report)
 {
+  const double unit = number_wanted > 0
+    ? std::sqrt(area_in_squares(input) / number_wanted) : 0;
   const bool sizes_vary = input.has_sizes_that_vary();
   std::vector<double> lengths, deviations;
   for(const auto e : quads.edges()) {
@@ -68,6 +71,7 @@ inline void measure_edges(const Surface_to_remesh& input, const double unit,
   if(n > 0)
     report.edge_lengths = {input.unscaled(lengths[n / 10]), input.unscaled(lengths[n / 2]),
                            input.unscaled(lengths[n - 1 - n / 10])};
+  report.median_size_deviation.reset();
   if(!deviations.empty()) {
     std::nth_element(deviations.begin(), deviations.begin() + std::ptrdiff_t(n / 2),
                      deviations.end());
@@ -108,9 +112,7 @@ Nearest_faces measure_quads(const Surface_to_remesh& input, const double number_
   const Surface_samples samples(input.mesh(), number);
   report.largest_distance = input.unscaled(smoother.measure_distance());
   report.largest_distance_of_input = input.unscaled(samples.largest_distance(quads));
-  const double unit = number_wanted > 0
-    ? std::sqrt(area_in_squares(input) / number_wanted) : 0;
-  measure_edges(input, unit, quads, smoother, report);
+  measure_edges(input, number_wanted, quads, smoother, report);
   return nearest_faces(input, quads, located, smoother);
 }
 

@@ -332,6 +332,7 @@ private:
       mend(upper_sides, smoother);
     m_run.work.spend(work_of(smoother));
     m_run.timer.finish("smoothing");
+    measure_edges(m_run.surface, m_run.options.number_wanted(), m_quads, smoother, m_run.report);
     if(m_run.surface.mirror())
       m_quads.collect_garbage();
     std::vector<bool> is_folded; // the image has the same order
@@ -510,6 +511,9 @@ void make_others(const Make& make, const Is_better& is_better, Surface_to_remesh
   best.step_times = std::move(steps);
 }
 
+// By which the median edge differs from its wanted length: less matters less than shape.
+constexpr double good_deviation = 0.5;
+
 // Compares results that may have released features.
 class Is_better
 {
@@ -526,7 +530,8 @@ private:
   {
     const double released =
       m_length_of_features > 0 ? r.length_of_released_edges / m_length_of_features : 0;
-    return {!r, r.number_of_inverted_quads, released / 2 - r.mean_scaled_jacobian};
+    const double deviation = (std::max)(good_deviation, r.median_size_deviation.value_or(0));
+    return {!r, r.number_of_inverted_quads, (released + deviation) / 2 - r.mean_scaled_jacobian};
   }
 
   double m_length_of_features;
@@ -544,12 +549,14 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
   constexpr double most_edges = 8, good_jacobian = 0.9;
   double edges = 1; // of quads, around the bad ones: features there are released next
   bool may_try_again = true;
-  bool is_first = true;
+  int attempts_for_shape = 0;
   const auto is_bad = [&](const Remeshing_report& r) {
-    const bool is_thin = is_first && r.mean_scaled_jacobian < good_jacobian &&
-                         !options.quantization.is_coarsest &&
-                         double(r.number_of_quads) < 1.1 * options.quantization.number_of_quads;
-    return r && (r.number_of_inverted_quads > 0 || is_thin);
+    const bool is_distorted =
+      (r.mean_scaled_jacobian < good_jacobian && attempts_for_shape == 0) ||
+      (r.median_size_deviation.value_or(0) > good_deviation && attempts_for_shape < 2);
+    const bool is_forced = options.quantization.is_coarsest ||
+      double(r.number_of_quads) >= 1.1 * options.quantization.number_of_quads;
+    return r && (r.number_of_inverted_quads > 0 || (is_distorted && !is_forced));
   };
   const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept) {
     Quad_remesher remesher(surface, options, mesh, is_kept);
@@ -570,7 +577,7 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
     is_spent = work.left() < of_attempt / 4;
     if(is_spent)
       break;
-    is_first = false;
+    attempts_for_shape += best.number_of_inverted_quads == 0;
     make_others(attempt, is_better, quads, is_feature, best);
   }
   if(is_spent || !work.is_left())
