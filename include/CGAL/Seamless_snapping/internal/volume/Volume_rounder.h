@@ -218,8 +218,8 @@ public:
       m_integers(structure.sectors, structure.places, structure.members, format)
   { }
 
-  // Fills in the coordinates of all corners, if these have to move. Returns why there are none, if
-  // so.
+  // Moves the coordinates of all corners where they have to. Returns why that fails, if so.
+  // \param rounded those of the volume
   std::optional<Refusal> run(std::vector<Uvw>& rounded)
   {
     const Volume_transitions& transitions = m_structure.transitions;
@@ -269,7 +269,6 @@ public:
                        " off the integer that it is rounded to, more than the rounding_tolerance "
                        "of " + short_number(m_rounding_tolerance) + "; raise it to at least that, "
                        "which is less of a map scaled by grid_scale");
-    rounded = m_volume.coordinates;
     if(!expand(*displacement, is_far, rounded))
       return not_representable();
     if(!is_exact(m_volume, transitions, alignment, rounded) ||

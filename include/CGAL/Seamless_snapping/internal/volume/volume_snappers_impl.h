@@ -104,28 +104,24 @@ private:
       if(const auto refusal = add_grid_edges(m_volume))
         return refusal;
     const Volume_structure structure(m_volume);
-    const std::vector<Uvw> unrounded = m_volume.coordinates;
-    if(m_options.rounds) {
-      std::vector<Uvw> rounded;
+    std::vector<Uvw> u = m_volume.coordinates;
+    if(m_options.rounds)
       if(const auto refusal =
            Volume_rounder(m_volume, structure, m_options.tolerance * m_volume.extent,
-                          m_options.rounding_tolerance, m_format, m_report, m_timer).run(rounded))
+                          m_options.rounding_tolerance, m_format, m_report, m_timer).run(u))
         return refusal;
-      if(!rounded.empty())
-        m_volume.coordinates.swap(rounded);
-    }
-    if(const auto refusal = repair(structure, input, orientation))
+    if(const auto refusal = repair(structure, input, orientation, u))
       return refusal;
-    look_for_levels(structure, unrounded);
+    look_for_levels(structure, u);
+    m_volume.coordinates.swap(u);
     return std::nullopt;
   }
 
   // After roundings, near by at least: their displacement may have made flips.
   std::optional<Refusal> repair(const Volume_structure& structure, const std::vector<Uvw>& input,
-                                const CGAL::Orientation orientation)
+                                const CGAL::Orientation orientation, std::vector<Uvw>& u)
   {
     constexpr std::size_t reach_near_by = 2;
-    std::vector<Uvw> u = m_volume.coordinates;
     Volume_untangler untangler(structure.members, m_volume, input, orientation, m_format, u);
     std::size_t& passes = m_report.run.number_of_untangling_iterations;
     passes = untangler.run(m_options.number_of_untangling_iterations, reach_near_by, false);
@@ -139,8 +135,7 @@ private:
       return Refusal(Outcome::INTERNAL_ERROR,
                      "the repaired map failed its exact verification and was discarded; please "
                      "report this");
-    m_volume.coordinates.swap(u);
-    fill_in_changes(structure.sectors, input, m_volume.coordinates, m_report);
+    fill_in_changes(structure.sectors, input, u, m_report);
     m_timer.finish("verification");
     return std::nullopt;
   }
@@ -166,9 +161,11 @@ private:
   }
 
   // Cells all of whose vertices lie in one plane that a level fixes each, whatever the coordinates
-  // are; and those with levels that differed before they were rounded, and are one now.
-  void look_for_levels(const Volume_structure& structure, const std::vector<Uvw>& unrounded)
+  // are; and those with levels that differ, and become one.
+  // \param after coordinates that are rounded and repaired
+  void look_for_levels(const Volume_structure& structure, const std::vector<Uvw>& after)
   {
+    const std::vector<Uvw>& before = m_volume.coordinates;
     std::vector<char> is_level(3 * structure.sectors.number_of_sectors(), 0);
     for(const Sector_level& l : structure.sectors.levels)
       is_level[3 * std::size_t(l.sector) + std::size_t(l.coordinate)] = 1;
@@ -182,10 +179,9 @@ private:
             corners.push_back(i);
         std::size_t number = 0; // with the level of the first
         for(const std::size_t i : corners) {
-          number += std::size_t(unrounded[i][k] == unrounded[corners[0]][k]);
+          number += std::size_t(before[i][k] == before[corners[0]][k]);
           for(const std::size_t j : corners)
-            if(unrounded[i][k] != unrounded[j][k] &&
-               m_volume.coordinates[i][k] == m_volume.coordinates[j][k])
+            if(before[i][k] != before[j][k] && after[i][k] == after[j][k])
               m_has_joined_levels[c] = 1;
         }
         is_flat = is_flat || number == 4;
