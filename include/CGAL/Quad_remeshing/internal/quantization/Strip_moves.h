@@ -167,7 +167,7 @@ public:
   {
     m_changes.clear();
     for(const Face_on_line& f : faces)
-      m_changes.push_back({strip_state(f.exit, f.left), f.entry});
+      add_change(strip_state(f.exit, f.left), f.entry);
     return apply_changes(std::numeric_limits<double>::infinity());
   }
 
@@ -232,22 +232,26 @@ private:
   bool apply(const double bound)
   {
     m_changes.clear();
-    m_finder.for_each_face(
-      [&](const Strip_state exit, const Corner_index entry)
-      { m_changes.push_back({exit, entry}); });
+    m_finder.for_each_face([&](const Strip_state exit, const Corner_index entry)
+                           { add_change(exit, entry); });
     return apply_changes(bound);
   }
+
+  void add_change(const Strip_state exit, const Corner_index entry)
+  { m_changes.push_back({exit, entry, m_rules.units_of_face(entry / 3)}); }
 
   // So many times, if that changes the sum of squares by less than `bound`, and keeps triangles
   // positive that are.
   bool apply_changes(const double bound, const std::int64_t times = 1)
   {
-    const bool is_better = make_changes(times) < bound && are_faces_positive(times);
+    const bool is_better = make_changes(times) < bound && are_faces_positive();
     if(!is_better)
       make_changes(-times);
     else
-      for(const Change& c : m_changes)
+      for(Change& c : m_changes) {
         m_rules.update(c.entry / 3);
+        c.before = m_rules.units_of_face(c.entry / 3);
+      }
     return is_better;
   }
 
@@ -283,22 +287,16 @@ private:
     return std::int64_t((std::min)(most, std::ceil((first + least_gain) / (first - second))));
   }
 
-  // Those that have been changed so many times; also all the way from what they were.
-  bool are_faces_positive(const std::int64_t times) const
+  // Those that have been changed; also all the way from what they were.
+  bool are_faces_positive() const
   {
-    for(const Change& first : m_changes) {
-      const Flat_face_index f = first.entry / 3;
+    for(const Change& c : m_changes) {
+      const Flat_face_index f = c.entry / 3;
       const Face_units after = m_rules.units_of_face(f);
-      Face_units before = after, shift{};
-      for(const Change& c : m_changes)
-        if(c.entry / 3 == f) {
-          const Grid_vector change = multiplied(times, change_of(c.exit));
-          add_to(shift, halfedge_of(c.exit), change);
-          add_to(shift, c.entry, negated(change));
-        }
-      for(Corner_index h = 3 * f; h < 3 * f + 3; ++h)
-        add_to(before, h, negated(shift[std::size_t(h % 3)]));
-      const std::int64_t a = determinant(before), d = determinant(after);
+      Face_units shift;
+      for(std::size_t i = 0; i < 3; ++i)
+        shift[i] = difference(after[i], c.before[i]);
+      const std::int64_t a = determinant(c.before), d = determinant(after);
       const std::int64_t square = determinant(shift);
       const std::int64_t slope = d - a - square; // of a + slope t + square t^2 at t = 0
       if(!m_rules.is_no_worse(f, a, d) ||
@@ -346,6 +344,7 @@ private:
   {
     Strip_state exit;
     Corner_index entry;
+    Face_units before; // at the last update
   };
 
   Intrinsic_complex& m_complex;

@@ -19,7 +19,6 @@
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
-#include <CGAL/Quad_remeshing/internal/cells/Lattice_points.h>
 #include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
