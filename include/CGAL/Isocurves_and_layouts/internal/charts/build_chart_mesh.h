@@ -30,7 +30,6 @@
 
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -85,20 +84,12 @@ int directions_passed(const Uv& p, const Uv& q, const Uv& r)
   return passed < half ? passed : passed - Group::order;
 }
 
-// A vector that is not null, times a power of two: products of its coordinates with those of
-// another one neither underflow nor overflow.
-inline Uv scaled_to_unit_size(const Uv& v)
-{
-  const int exponent = std::ilogb((std::max)(std::abs(v[0]), std::abs(v[1])));
-  return {std::ldexp(v[0], -exponent), std::ldexp(v[1], -exponent)};
-}
-
 // The same angle where the seams are not exact; the sum is then near to an integer only.
 template <typename Group>
 double turns_between(const Uv& p, const Uv& q, const Uv& r)
 {
-  const Uv a = Group::to_cartesian(scaled_to_unit_size({q[0] - p[0], q[1] - p[1]}));
-  const Uv b = Group::to_cartesian(scaled_to_unit_size({r[0] - p[0], r[1] - p[1]}));
+  const Uv a = Group::to_cartesian(scaled_to_unit_size(Uv{q[0] - p[0], q[1] - p[1]}));
+  const Uv b = Group::to_cartesian(scaled_to_unit_size(Uv{r[0] - p[0], r[1] - p[1]}));
   return std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]) /
          (4 * std::acos(0.) / Group::order);
 }

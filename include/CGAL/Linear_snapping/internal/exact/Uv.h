@@ -22,6 +22,7 @@
 #include <CGAL/enum.h>
 #include <CGAL/predicates/sign_of_determinant.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -32,6 +33,20 @@ namespace internal {
 
 using Uv = std::array<double, 2>;
 using Uvw = std::array<double, 3>; // of volumes
+
+// The vector times a power of two, with a largest coordinate of 1 to 2, unless it is 0: products of
+// such neither underflow nor overflow.
+template <std::size_t size>
+std::array<double, size> scaled_to_unit_size(std::array<double, size> v)
+{
+  double largest = 0;
+  for(const double x : v)
+    largest = (std::max)(largest, std::abs(x));
+  if(largest > 0)
+    for(double& x : v)
+      x = std::ldexp(x, -std::ilogb(largest));
+  return v;
+}
 
 // Of points and vectors with three coordinates, as in space.
 template <typename Number>

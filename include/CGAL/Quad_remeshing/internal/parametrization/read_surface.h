@@ -107,25 +107,13 @@ inline void read_geometry(std::vector<Point> points, Triangle_surface& surface)
   lay_out_faces(surface);
 }
 
-// The vector times a power of two, with coordinates of at most 2.
-inline Point near_one(Point vector)
-{
-  double size = 0;
-  for(const double x : vector)
-    size = (std::max)(size, std::abs(x));
-  if(size > 0)
-    for(double& x : vector)
-      x = std::ldexp(x, -std::ilogb(size));
-  return vector;
-}
-
 // 0 where the direction has no part in the plane of its face that is more than rounding, or the
 // face has no area.
 inline Complex cross_of_direction(const Point& direction, const Point& first_edge,
                                   const Point& second_edge)
 {
-  const Point e = near_one(first_edge), d = near_one(direction);
-  const Point n = near_one(vector_product(e, near_one(second_edge)));
+  const Point e = scaled_to_unit_size(first_edge), d = scaled_to_unit_size(direction);
+  const Point n = scaled_to_unit_size(vector_product(e, scaled_to_unit_size(second_edge)));
   const double length = std::sqrt(inner_product(n, n));
   const double along = inner_product(e, d) * length;
   const double across = inner_product(vector_product(e, d), n);

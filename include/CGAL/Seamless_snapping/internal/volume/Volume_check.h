@@ -155,22 +155,10 @@ private:
     return std::atan2(std::sqrt(inner_product(x, x)), inner_product(m, n));
   }
 
-  // Of unit length, but for degenerate triangles.
   static Uvw normal(const Uvw& a, const Uvw& b, const Uvw& p)
   {
-    std::array<Uvw, 2> sides{{vector_to(a, b), vector_to(a, p)}};
-    double scale = 0;
-    for(const Uvw& side : sides)
-      for(const double x : side)
-        scale = (std::max)(scale, std::abs(x));
-    for(Uvw& side : sides)
-      for(std::size_t c = 0; c < 3 && scale > 0; ++c)
-        side[c] /= scale;
-    Uvw n = vector_product(sides[0], sides[1]);
-    const double length = std::sqrt(inner_product(n, n));
-    for(std::size_t c = 0; c < 3 && length > 0; ++c)
-      n[c] /= length;
-    return n;
+    return scaled_to_unit_size(vector_product(scaled_to_unit_size(vector_to(a, b)),
+                                              scaled_to_unit_size(vector_to(a, p))));
   }
 
   const Flat_volume& m_volume;
