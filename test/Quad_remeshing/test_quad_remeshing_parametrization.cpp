@@ -957,6 +957,24 @@ void test_matrix_of_many_terms(const std::size_t size, const std::size_t number_
   }
 }
 
+// A square that is not definite by a rounding: its solution is nearly one of the singular system.
+void test_matrix_that_is_not_definite()
+{
+  namespace P = QR::internal::parametrization;
+  double seconds = 0;
+  P::Timed_solver solver(seconds);
+  P::Sparse_system system(2, solver);
+  for(const double below : {1e-15, 1e-11}) {
+    system.add(0, 0, 4);
+    system.add(1, 0, 4);
+    system.add(1, 1, 4 * (1 - below));
+    system.factor();
+    const std::vector<double> x = system.solve({8, 8});
+    CHECK(std::abs(x[0] + x[1] - 2) < 1e-6);
+    system.set_zero();
+  }
+}
+
 // Where flips are few, untangling looks at the faces around them alone: where these are enough, it
 // changes the same unknowns to the same values, and the same faces stay flipped, as with all faces.
 void test_parts_of_a_map()
@@ -1191,6 +1209,7 @@ int main()
   test_spikes();
   test_tiny_meshes();
   test_equations_without_units();
+  test_matrix_that_is_not_definite();
   test_matrix_of_many_terms(20000, 400000);
   test_matrix_of_many_terms(120000, 200000); // so large that one order of elimination is tried only
   test_parts_of_a_map();
