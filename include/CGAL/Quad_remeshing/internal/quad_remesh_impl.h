@@ -511,8 +511,9 @@ void make_others(const Make& make, const Is_better& is_better, Surface_to_remesh
   best.step_times = std::move(steps);
 }
 
-// By which the median edge differs from its wanted length: less matters less than shape.
-constexpr double good_deviation = 0.5;
+// By which the median edge differs from its wanted length: less matters less than shape, and more
+// than the second one is forced, as where very few quads are wanted.
+constexpr double good_deviation = 0.5, forced_deviation = 1.5;
 
 // Compares results that may have released features.
 class Is_better
@@ -530,7 +531,8 @@ private:
   {
     const double released =
       m_length_of_features > 0 ? r.length_of_released_edges / m_length_of_features : 0;
-    const double deviation = (std::max)(good_deviation, r.median_size_deviation.value_or(0));
+    const double deviation = std::clamp(r.median_size_deviation.value_or(0), good_deviation,
+                                        forced_deviation);
     return {!r, r.number_of_inverted_quads, (released + deviation) / 2 - r.mean_scaled_jacobian};
   }
 
