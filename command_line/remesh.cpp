@@ -321,10 +321,9 @@ struct Remesh_outcome
        << counted(report.number_of_irregular_vertices, "irregular vertex") << "\n"
        << (report.message.empty() ? "" : "note: " + report.message + "\n");
     write_shape(os, report, diagonal);
-    if(!is_mirrored &&
-       (std::max)(report.largest_distance, report.largest_distance_of_input) > 0.1 * diagonal)
-      os << "note: the quads cut off much of the input; more of them, or features, as by "
-            "--feature-angle, keep it\n";
+    if(!is_mirrored && cuts_off())
+      os << "note: the quads cut off much of the input; more of them"
+         << (features.length > 0 ? "" : ", or features, as by --feature-angle,") << " keep it\n";
     write_edges(os);
     write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
     write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
@@ -333,6 +332,13 @@ struct Remesh_outcome
          << counted(report.number_of_released_edges, "feature edge") << ", of length "
          << report.length_of_released_edges << " in sum\n";
     ::write_summary(os, patches);
+  }
+
+  // More than quads of this size take off a corner.
+  bool cuts_off() const
+  {
+    const double most = (std::max)(report.largest_distance, report.largest_distance_of_input);
+    return most > 0.1 * diagonal || most > 1.5 * report.edge_lengths[1];
   }
 
   void write_edges(std::ostream& os) const
