@@ -24,7 +24,6 @@
 #include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Quad_remeshing/types/Remeshing_report.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -83,13 +82,6 @@ struct Remeshing_run
     return parameters::edge_is_constrained_map(surface.is_feature())
                       .edge_is_cut_map(surface.is_cut())
                       .halfedge_rotation_map(surface.rotations());
-  }
-
-  bool has_features() const
-  {
-    const auto edges = mesh().edges();
-    return std::any_of(edges.begin(), edges.end(),
-                       [&](const Edge e) { return surface.is_feature()[e]; });
   }
 
   // From here on, it is no feature: no field can follow it without flips, or quads are inverted

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -45,38 +46,41 @@ inline double size_at(const Surface_to_remesh& input, const Space_vector& place,
          part[2] * input.sizes()[mesh.target(mesh.next(h))];
 }
 
+inline std::vector<double> sorted_edge_lengths(const Surface_to_remesh::Mesh& quads,
+                                               const Quad_smoother& smoother)
+{
+  std::vector<double> lengths;
+  for(const auto e : quads.edges())
+    lengths.push_back(norm(vector_to(smoother.point(quads.vertex(e, 0)),
+                                     smoother.point(quads.vertex(e, 1)))));
+  std::sort(lengths.begin(), lengths.end());
+  return lengths;
+}
+
+// See `Remeshing_report::median_size_deviation`.
 // \param number_wanted of quads for the input, which tells the unit of sizes; 0 where these are not
 //        known
-inline void measure_edges(const Surface_to_remesh& input, const double number_wanted,
-                          const Surface_to_remesh::Mesh& quads, const Quad_smoother& smoother,
-                          Remeshing_report& report)
+inline std::optional<double> median_size_deviation(const Surface_to_remesh& input,
+                                                   const double number_wanted,
+                                                   const Surface_to_remesh::Mesh& quads,
+                                                   const Quad_smoother& smoother)
 {
-  const double unit = number_wanted > 0
-    ? std::sqrt(area_in_squares(input) / number_wanted) : 0;
+  if(!(number_wanted > 0) || quads.number_of_edges() == 0)
+    return std::nullopt;
+  const double unit = std::sqrt(area_in_squares(input) / number_wanted);
   const bool sizes_vary = input.has_sizes_that_vary();
-  std::vector<double> lengths, deviations;
+  std::vector<double> deviations;
   for(const auto e : quads.edges()) {
     const Space_vector p = smoother.point(quads.vertex(e, 0));
     const Space_vector q = smoother.point(quads.vertex(e, 1));
-    lengths.push_back(norm(vector_to(p, q)));
-    if(unit > 0) {
-      const double size = sizes_vary ? size_at(input, between(p, q, 0.5), smoother)
-                                     : *input.sizes().begin();
-      const double ratio = lengths.back() / (unit * size);
-      deviations.push_back((std::max)(ratio, 1 / ratio) - 1);
-    }
+    const double size = sizes_vary ? size_at(input, between(p, q, 0.5), smoother)
+                                   : *input.sizes().begin();
+    const double ratio = norm(vector_to(p, q)) / (unit * size);
+    deviations.push_back((std::max)(ratio, 1 / ratio) - 1);
   }
-  std::sort(lengths.begin(), lengths.end());
-  const std::size_t n = lengths.size();
-  if(n > 0)
-    report.edge_lengths = {input.unscaled(lengths[n / 10]), input.unscaled(lengths[n / 2]),
-                           input.unscaled(lengths[n - 1 - n / 10])};
-  report.median_size_deviation.reset();
-  if(!deviations.empty()) {
-    std::nth_element(deviations.begin(), deviations.begin() + std::ptrdiff_t(n / 2),
-                     deviations.end());
-    report.median_size_deviation = deviations[n / 2];
-  }
+  const auto middle = deviations.begin() + std::ptrdiff_t(deviations.size() / 2);
+  std::nth_element(deviations.begin(), middle, deviations.end());
+  return *middle;
 }
 
 inline Nearest_faces nearest_faces(const Surface_to_remesh& input,
@@ -112,7 +116,12 @@ Nearest_faces measure_quads(const Surface_to_remesh& input, const double number_
   const Surface_samples samples(input.mesh(), number);
   report.largest_distance = input.unscaled(smoother.measure_distance());
   report.largest_distance_of_input = input.unscaled(samples.largest_distance(quads));
-  measure_edges(input, number_wanted, quads, smoother, report);
+  report.median_size_deviation = median_size_deviation(input, number_wanted, quads, smoother);
+  const std::vector<double> lengths = sorted_edge_lengths(quads, smoother);
+  const std::size_t n = lengths.size();
+  if(n > 0)
+    report.edge_lengths = {input.unscaled(lengths[n / 10]), input.unscaled(lengths[n / 2]),
+                           input.unscaled(lengths[n - 1 - n / 10])};
   return nearest_faces(input, quads, located, smoother);
 }
 

@@ -332,7 +332,8 @@ private:
       mend(upper_sides, smoother);
     m_run.work.spend(work_of(smoother));
     m_run.timer.finish("smoothing");
-    measure_edges(m_run.surface, m_run.options.number_wanted(), m_quads, smoother, m_run.report);
+    m_run.report.median_size_deviation =
+      median_size_deviation(m_run.surface, m_run.options.number_wanted(), m_quads, smoother);
     if(m_run.surface.mirror())
       m_quads.collect_garbage();
     std::vector<bool> is_folded; // the image has the same order
