@@ -504,9 +504,10 @@ std::size_t check_slides(const Intrinsic_complex& complex, const std::vector<dou
   return number;
 }
 
-// What units cost by definition: weighted squares of what edges differ by from the wanted ones;
-// for shapes, also squares of the entries of the matrix from a wanted triangle to that of units,
-// minus 1, times the area. A triangle of less height than 1 counts as if it had that.
+// What units cost by definition: weighted squares of what edges differ by from the wanted ones, of
+// which none is shorter than a unit; for shapes, also squares of the entries of the matrix from a
+// wanted triangle to that of units, minus 1, times the area. A triangle of less height than 1
+// counts as if it had that.
 double cost_by_definition(const Intrinsic_complex& complex, const std::vector<double>& scales,
                           const internal::Cost_of_units cost)
 {
@@ -515,9 +516,13 @@ double cost_by_definition(const Intrinsic_complex& complex, const std::vector<do
     { return double(complex.corner(h).units[c]) - wanted[std::size_t(h)][c]; };
   double sum = 0;
   for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h)
-    if(complex.represents_edge(h))
-      sum += (difference(h, 0) * difference(h, 0) + difference(h, 1) * difference(h, 1)) /
-             (1 + std::hypot(wanted[std::size_t(h)][0], wanted[std::size_t(h)][1]));
+    if(complex.represents_edge(h)) {
+      const auto& w = wanted[std::size_t(h)];
+      const Grid_vector& v = complex.corner(h).units;
+      const double length = std::hypot(w[0], w[1]), longer = (std::max)(1., 1 / length);
+      const double x = double(v[0]) - longer * w[0], y = double(v[1]) - longer * w[1];
+      sum += (x * x + y * y) / (1 + length);
+    }
   if(cost == internal::Cost_of_units::LENGTHS)
     return sum;
   for(Corner_index h = 0; h < complex.number_of_halfedges(); h += 3) {
@@ -1434,21 +1439,69 @@ void test_twisted_tubes()
   }
 }
 
-// Where fewer are wanted, there are not more, nor where they are to be as few as possible.
+// A wire wound to a spring, hundreds of times as long as thick. Nothing holds it but the cones at
+// its ends. Once around it the map has two to four quads, and the ends take four: what is added
+// must not shear the quads of the whole length.
+void test_thin_springs()
+{
+  constexpr int n = 300, sides = 6, turns = 3;
+  constexpr double pitch = 0.6, radius = 0.03; // of the wire; that of the spring is 1
+  Mesh mesh;
+  const double slope = pitch / (2 * CGAL_PI);
+  const auto axis = [&](const double a) { return Point_3(std::cos(a), std::sin(a), slope * a); };
+  for(int i = 0; i <= n; ++i) {
+    const double a = 2 * CGAL_PI * turns * i / n;
+    const Kernel::Vector_3 outward(std::cos(a), std::sin(a), 0);
+    Kernel::Vector_3 across(slope * std::sin(a), -slope * std::cos(a), 1);
+    across = across / std::sqrt(across.squared_length());
+    for(int k = 0; k < sides; ++k) {
+      const double b = 2 * CGAL_PI * (k + 0.5 * (i % 2)) / sides;
+      mesh.add_vertex(axis(a) + radius * (std::cos(b) * outward + std::sin(b) * across));
+    }
+  }
+  const auto vertex = [&](const int i, const int k) { return Vertex(i * sides + k % sides); };
+  for(int i = 0; i < n; ++i)
+    for(int k = 0; k < sides; ++k) {
+      const int shift = i % 2; // of the next circle
+      mesh.add_face(vertex(i, k), vertex(i + 1, k + shift), vertex(i, k + 1));
+      mesh.add_face(vertex(i + 1, k), vertex(i + 1, k + 1), vertex(i, k + 1 - shift));
+    }
+  for(const int i : {0, n}) {
+    const Vertex tip = mesh.add_vertex(axis(2 * CGAL_PI * turns * i / n));
+    for(int k = 0; k < sides; ++k)
+      i == 0 ? mesh.add_face(tip, vertex(i, k), vertex(i, k + 1))
+             : mesh.add_face(tip, vertex(i, k + 1), vertex(i, k));
+  }
+  CHECK(CGAL::is_closed(mesh));
+  for(const std::size_t wanted : {200, 300, 400, 600, 1000, 2000}) {
+    Mesh quads;
+    const auto report =
+      QR::quad_remesh(mesh, quads, parameters::target_number_of_quads(wanted));
+    const std::string context = "spring: " + std::to_string(report.number_of_quads) +
+                                " quads, mean Jacobian " +
+                                std::to_string(report.mean_scaled_jacobian) + report.message;
+    std::cout << context << std::endl;
+    CHECK_IN(context, report && double(report.number_of_quads) < 1.1 * double(wanted) &&
+                        report.number_of_inverted_quads == 0 &&
+                        report.mean_scaled_jacobian > 0.95);
+  }
+}
+
+// There are fewest where they are to be as few as possible, and where fewer are wanted, there are
+// not more than for a better shape, which takes up to half as many again.
 void check_monotony(const Parametrized_model& model, const std::string& name)
 {
   const auto number_of_quads = [&](const auto& np) {
     const auto report = QR::quad_remesh(model.mesh, *std::make_unique<Mesh>(), np);
     CHECK_IN(name + ": " + report.message, bool(report));
-    return report.number_of_quads;
+    return double(report.number_of_quads);
   };
-  std::size_t most = number_of_quads(parameters::minimize_number_of_quads(true));
-  for(const std::size_t wanted : {1, 50}) {
-    const std::size_t number = number_of_quads(parameters::target_number_of_quads(wanted));
-    CHECK_IN(name + ": " + std::to_string(number) + " quads, and " + std::to_string(most),
-             double(number) >= 0.95 * double(most));
-    most = (std::max)(most, number);
-  }
+  const double fewest = number_of_quads(parameters::minimize_number_of_quads(true));
+  const double of_one = number_of_quads(parameters::target_number_of_quads(1));
+  const double of_50 = number_of_quads(parameters::target_number_of_quads(50));
+  CHECK_IN(name + ": " + std::to_string(fewest) + " quads, " + std::to_string(of_one) + ", and " +
+             std::to_string(of_50),
+           of_one >= 0.95 * fewest && of_50 >= 0.95 * fewest && of_50 >= 0.95 * of_one / 1.5);
 }
 
 // Refused alike by all functions.
@@ -3105,6 +3158,7 @@ int main()
     test_few_quads_between_features();
     test_double_pyramid();
     test_twisted_tubes();
+    test_thin_springs();
     test_attempt_without_features();
     test_hopeless_features();
     test_tips();

@@ -21,6 +21,7 @@
 #include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <vector>
@@ -263,11 +264,22 @@ struct Edge_diamond
   double index_before() const { return index(bc, ca) + index(ad, db); }
   double index_after() const { return index(db, bc) + index(ca, ad); }
 
+  // The height of the flatter triangle.
+  double height_before() const { return (std::min)(height(bc, ca), height(ad, db)); }
+  double height_after() const { return (std::min)(height(db, bc), height(ca, ad)); }
+
 private:
   // Of a triangle, from two of its sides.
   static double index(const Grid_vector& a, const Grid_vector& b)
   {
     return 2 * (dot(a, a) + dot(a, b) + dot(b, b)) / approximate_cross(a, b);
+  }
+
+  // Over the longest side.
+  static double height(const Grid_vector& a, const Grid_vector& b)
+  {
+    const Grid_vector c = sum(a, b);
+    return approximate_cross(a, b) / std::sqrt((std::max)({dot(a, a), dot(b, b), dot(c, c)}));
   }
 };
 
@@ -295,12 +307,18 @@ inline void flip(const Corner_index h, const Intrinsic_complex& complex, Polygon
   filler.fill(3, h / 3, g / 3);
 }
 
-// Flips edges as long as is_better(halfedge) says so. Each flip must make something of the whole
-// complex better, so that none comes again.
+using Edge_vectors = std::initializer_list<Edge_vector>;
+
+// Flips edges that are flippable in these sizes as long as is_better(halfedge) says so. Each flip
+// must make something of the whole complex better, so that none comes again.
 template <typename Is_better>
 std::size_t flip_all(const Integer_mesh& input, Intrinsic_complex& complex,
-                     const Is_better& is_better)
+                     const Edge_vectors sizes, const Is_better& is_better)
 {
+  const auto can_flip = [&](const Corner_index h) {
+    return std::all_of(sizes.begin(), sizes.end(), [&](const Edge_vector size)
+                       { return is_flippable(complex, h, size); });
+  };
   Polygon_filler filler(input, complex);
   std::vector<Corner_index> to_visit;
   for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h)
@@ -310,7 +328,7 @@ std::size_t flip_all(const Integer_mesh& input, Intrinsic_complex& complex,
   while(!to_visit.empty()) {
     const Corner_index h = to_visit.back();
     to_visit.pop_back();
-    if(!is_better(h))
+    if(!can_flip(h) || !is_better(h))
       continue;
     const Flat_face_index faces[] = {h / 3, complex.opposite(h) / 3};
     flip(h, complex, filler);
@@ -324,18 +342,27 @@ std::size_t flip_all(const Integer_mesh& input, Intrinsic_complex& complex,
 
 // Flips edges whose flip makes the triangles rounder in these sizes together.
 inline std::size_t make_rounder(const Integer_mesh& input, Intrinsic_complex& complex,
-                                const std::initializer_list<Edge_vector> sizes)
+                                const Edge_vectors sizes)
 {
-  return flip_all(input, complex, [&](const Corner_index h) {
+  return flip_all(input, complex, sizes, [&](const Corner_index h) {
     double before = 0, after = 0;
     for(const Edge_vector size : sizes) {
-      if(!is_flippable(complex, h, size))
-        return false;
       const Edge_diamond diamond(complex, h, size);
       before += diamond.index_before();
       after += diamond.index_after();
     }
     return after < (1 - least_gain_of_flip) * before;
+  });
+}
+
+// Flips edges whose flip makes the flatter triangle higher, in units: the heights of all triangles,
+// the least one first, grow in lexicographic order.
+inline std::size_t make_less_flat(const Integer_mesh& input, Intrinsic_complex& complex)
+{
+  const Edge_vectors sizes{&Intrinsic_corner::vector, &Intrinsic_corner::units};
+  return flip_all(input, complex, sizes, [&](const Corner_index h) {
+    const Edge_diamond diamond(complex, h, &Intrinsic_corner::units);
+    return diamond.height_after() > (1 + least_gain_of_flip) * diamond.height_before();
   });
 }
 

@@ -88,6 +88,8 @@ public:
   {
     if(cost == Cost_of_units::SHAPE)
       Wall_slider(complex, m_wanted).run();
+    for(const Wanted_vector& w : m_wanted)
+      m_lengths.push_back(at_least_a_unit(w));
     for(Corner_index h = 0; h < complex.number_of_halfedges(); ++h) {
       m_weight.push_back(weight_of_edge(m_wanted[std::size_t(h)]));
       const Corner_index g = complex.opposite(h);
@@ -244,14 +246,22 @@ private:
     return result;
   }
 
-  double deviation(const Corner_index h, const std::size_t c) const
-  { return static_cast<double>(m_complex.corner(h).units[c]) - m_wanted[std::size_t(h)][c]; }
+  // No units are shorter than 1: of a shorter vector, the direction tells which of them are wanted.
+  static Wanted_vector at_least_a_unit(const Wanted_vector& w)
+  {
+    const double length = std::hypot(w[0], w[1]);
+    return length > 0 && length < 1 ? Wanted_vector{w[0] / length, w[1] / length} : w;
+  }
+
+  double deviation(const Corner_index h, const std::size_t c,
+                   const std::vector<Wanted_vector>& wanted) const
+  { return static_cast<double>(m_complex.corner(h).units[c]) - wanted[std::size_t(h)][c]; }
 
   // Half of the edge is that of the other face.
   double cost_of_edge(const Corner_index h, const std::size_t c, const double change) const
   {
     const double part = m_complex.opposite(h) == no_index ? 1 : 0.5;
-    return part * m_weight[std::size_t(h)] * change * (2 * deviation(h, c) + change);
+    return part * m_weight[std::size_t(h)] * change * (2 * deviation(h, c, m_lengths) + change);
   }
 
   // \param h the edge that stays
@@ -259,7 +269,7 @@ private:
   {
     const Flat_face_index f = h / 3;
     const Shape& shape = m_shapes[std::size_t(f)];
-    const double first = deviation(3 * f, c), third = deviation(3 * f + 2, c);
+    const double first = deviation(3 * f, c, m_wanted), third = deviation(3 * f + 2, c, m_wanted);
     double result = 0;
     for(std::size_t j = 0; j < 2; ++j) {
       const double before = first * shape.gradients[2][j] - third * shape.gradients[0][j];
@@ -272,6 +282,7 @@ private:
   const Intrinsic_complex& m_complex;
   std::vector<Strip_state> m_forbidden;
   std::vector<Wanted_vector> m_wanted;     // per halfedge
+  std::vector<Wanted_vector> m_lengths;    // the same, none shorter than a unit
   std::vector<double> m_weight;            // per halfedge
   std::vector<Shape> m_shapes;             // per face, where they count
   std::vector<State_values> m_values;      // per state

@@ -113,18 +113,23 @@ public:
     return moves;
   }
 
-  // The same, until few moves are left. A round over many faces takes long.
+  // The same, until few moves are left: searches over many faces take long. Flat triangles stop
+  // strips: after two searches, edges are flipped such that triangles get less flat, and after each
+  // such that they get rounder.
   std::size_t improve(const Cost_of_units cost = Cost_of_units::LENGTHS)
   {
     const std::size_t most_rounds =
       (std::max)(std::size_t(3), (std::min)(std::size_t(20), 80000 / m_complex.corners.size()));
     std::size_t sum = 0;
-    for(int i = 0; i < 3 && (i == 0 || m_work.is_left()); ++i) {
+    for(int i = 0; i < 5 && (i == 0 || m_work.is_left()); ++i) {
+      const bool is_after_two = i == 2 || i == 4;
+      if(is_after_two && make_less_flat(m_input, m_complex) == 0)
+        break;
       const std::size_t moves = Strip_moves(m_complex, m_scales, m_work, cost)
                                   .improve(m_work.is_left() ? most_rounds : 1);
       sum += moves;
-      if((moves <= few_moves(m_complex) && (i > 0 || has_many_faces(m_complex))) ||
-         flip_edges() == 0)
+      flip_edges();
+      if(moves <= few_moves(m_complex) && (is_after_two || has_many_faces(m_complex)))
         break;
     }
     return sum;
@@ -195,9 +200,9 @@ private:
     return number == 0 && is_feasible();
   }
 
-  std::size_t flip_edges()
+  void flip_edges()
   {
-    return make_rounder(m_input, m_complex, {&Intrinsic_corner::vector, &Intrinsic_corner::units});
+    make_rounder(m_input, m_complex, {&Intrinsic_corner::vector, &Intrinsic_corner::units});
   }
 
   const Integer_mesh& m_input;
