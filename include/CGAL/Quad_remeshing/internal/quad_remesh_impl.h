@@ -186,7 +186,8 @@ private:
   }
 
   // Of the quantizations that were kept, the one whose quads are best before they are mended: all
-  // are shaped roughly, and the best two as usual.
+  // are shaped roughly, and the best two as usual. Of these, the second one is taken if the first
+  // has more inverted quads in the end.
   bool make_best_quads()
   {
     add_larger_numbers();
@@ -197,16 +198,27 @@ private:
     const Surface_samples samples(m_run.mesh(), number_of_samples);
     keep_best_choices(samples, 2, [&](const Feature_lines& lines, Quad_smoother& smoother)
                                   { shape(lines, smoother, rounds_to_choose); });
-    keep_best_choices(samples, 1, [&](const Feature_lines& lines, Quad_smoother& smoother)
+    keep_best_choices(samples, 2, [&](const Feature_lines& lines, Quad_smoother& smoother)
                                   { shape_and_improve(lines, smoother); });
-    m_run.set_state(m_choices.front());
-    m_quads.clear_without_removing_property_maps();
-    if(!make_quads())
+    if(!make_quads_of_choice(0))
       return false;
-    const std::size_t number = m_choices.front().quantization.number_of_quads;
+    if(const std::size_t inverted = m_run.report.number_of_inverted_quads;
+       inverted > 0 && m_choices.size() > 1 && m_run.work.is_left() &&
+       (!make_quads_of_choice(1) || m_run.report.number_of_inverted_quads >= inverted))
+      make_quads_of_choice(0);
+    const std::size_t number = m_run.quantization.number_of_quads;
     if(fewest < number && double(number) > 1.1 * m_run.options.quantization.number_of_quads)
       m_run.report.message = counted(fewest, "quad") + " were found, too, but in a worse shape";
     return true;
+  }
+
+  bool make_quads_of_choice(const std::size_t i)
+  {
+    m_run.set_state(m_choices[i]);
+    m_quads.clear_without_removing_property_maps();
+    m_inverted_places.clear();
+    m_thin_places.clear();
+    return make_quads();
   }
 
   // So many, by the quads that `move(lines, smoother)` gives their shape.
@@ -550,16 +562,18 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
   const Work& work = *options.quantization.work;
   Remeshing_report before; // an attempt: what has been released
   constexpr double most_edges = 8, good_jacobian = 0.9;
+  constexpr double bad_jacobian = 0.8; // also where there are more quads than wanted
   double edges = 1; // of quads, around the bad ones: features there are released next
   bool may_try_again = true;
   int attempts_for_shape = 0;
   const auto is_bad = [&](const Remeshing_report& r) {
-    const bool is_distorted =
-      (r.mean_scaled_jacobian < good_jacobian && attempts_for_shape == 0) ||
-      (r.median_size_deviation.value_or(0) > good_deviation && attempts_for_shape < 2);
     const bool is_forced = options.quantization.is_coarsest ||
       double(r.number_of_quads) >= 1.1 * options.quantization.number_of_quads;
-    return r && (r.number_of_inverted_quads > 0 || (is_distorted && !is_forced));
+    const bool is_distorted = r.mean_scaled_jacobian < (is_forced ? bad_jacobian : good_jacobian) &&
+                              attempts_for_shape == 0;
+    const bool has_other_sizes = r.median_size_deviation.value_or(0) > good_deviation &&
+                                 attempts_for_shape < 2 && !is_forced;
+    return r && (r.number_of_inverted_quads > 0 || is_distorted || has_other_sizes);
   };
   const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept) {
     Quad_remesher remesher(surface, options, mesh, is_kept);
