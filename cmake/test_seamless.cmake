@@ -289,7 +289,7 @@ set(body "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3
 set(other "v 0 0 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nf 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n")
 file(WRITE "${WORK_DIR}/touching.obj" "${body}${other}")
 seamless(0 parametrize touching.obj repaired.obj --strict)
-expect_message("${out}" "read: 8 triangles, 8 vertices, 2 pieces")
+expect_message("${out}" "read: 8 triangles, 8 vertices, 2 pieces\n")
 expect_message("${out}" "0 border loops")
 # those that share an edge, or a wall, too; but not what has two faces throughout
 set(points "OFF\n12 12 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n2 0 0\n2 1 0\n\
@@ -1322,7 +1322,7 @@ if(SHELL)
   shell(0 "(printf '%80s' ''; printf '\\001\\000\\000\\000'; printf '%24s' ''; \
             printf '${one}${zeros}${zeros}${zeros}${one}${zeros}%2s' '') > one.stl; \
            \"$SEAMLESS\" parametrize - one.obj < one.stl")
-  expect_message("${out}" "read: 1 triangle")
+  expect_message("${out}" "read: 1 triangle, 3 vertices, 1 piece, 1 border loop")
   foreach(option IN ITEMS --report --picture --symmetry --sizes --field)
     shell(2 "\"$SEAMLESS\" remesh in.obj new.off ${option} ''")
     expect_message("${err}" "${option} is empty")

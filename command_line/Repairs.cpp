@@ -4,6 +4,7 @@
 #include "Polygon_soup.h"
 #include "Progress.h"
 #include "Surface_soup.h"
+#include "Topology.h"
 #include "words.h"
 
 #include <CGAL/AABB_segment_primitive.h>
@@ -256,6 +257,7 @@ Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
   repairs.T_junctions = count_T_junctions(model.mesh);
   model.mesh.remove_property_map(piece);
   triangulate(soup, model, repairs);
+  repairs.border_loops = number_of_border_loops(model.mesh);
   repairs.vertices = model.mesh.number_of_vertices();
   repairs.faces = model.mesh.number_of_faces();
   repairs.faces_without_area = count_faces_without_area(model.mesh);
@@ -328,7 +330,8 @@ void write_repairs(std::ostream& os, const std::string& filename, const Repairs&
     os << "\nwelded: " << counted(repairs.welded_points, "point")
        << ", as the file has one for each corner";
   os << "\nread: " << counted(repairs.faces, "triangle") << ", "
-     << counted(repairs.vertices, "vertex") << ", " << counted(repairs.pieces, "piece") << "\n";
+     << counted(repairs.vertices, "vertex") << ", " << counted(repairs.pieces, "piece")
+     << (repairs.border_loops > 0 ? ", " + counted(repairs.border_loops, "border loop") : "") << "\n";
   if(repairs.unused_points > 0)
     os << "note: left out, as no face has them: " << counted(repairs.unused_points, "point") << "\n";
   if(repairs.faces_without_area > 0)
@@ -361,6 +364,7 @@ nlohmann::json json_of(const Repairs& r)
                        {"triangulated_faces", r.triangulated_faces}}},
           {"repaired", r.in_words()},
           {"mesh", {{"faces", r.faces}, {"vertices", r.vertices}, {"pieces", r.pieces},
+                    {"border_loops", r.border_loops},
                     {"faces_without_area", r.faces_without_area},
                     {"T_junctions", r.T_junctions},
                     {"near_border_points", r.near_points},

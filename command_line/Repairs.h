@@ -30,7 +30,7 @@ struct Repairs
   std::size_t turned_faces = 0;
   std::size_t triangulated_faces = 0; // of more than three corners
 
-  std::size_t vertices = 0, faces = 0, pieces = 0;
+  std::size_t vertices = 0, faces = 0, pieces = 0, border_loops = 0;
   std::size_t faces_without_area = 0; // that are kept
   std::size_t near_points = 0;        // of the border, almost in the place of others across a gap
   double distance_of_near_points = 0; // the largest of these

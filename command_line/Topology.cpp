@@ -40,14 +40,19 @@ nlohmann::json json_of(const Topology& topology)
 
 } // namespace
 
+std::size_t number_of_border_loops(const Mesh& mesh)
+{
+  std::vector<Halfedge> loops;
+  PMP::extract_boundary_cycles(mesh, std::back_inserter(loops));
+  return loops.size();
+}
+
 Topology::Topology(const Mesh& mesh)
+  : number_of_border_loops(::number_of_border_loops(mesh))
 {
   std::vector<std::size_t> part(mesh.num_faces());
   number_of_parts = PMP::connected_components(
     mesh, boost::make_iterator_property_map(part.begin(), get(boost::face_index, mesh)));
-  std::vector<Halfedge> loops;
-  PMP::extract_boundary_cycles(mesh, std::back_inserter(loops));
-  number_of_border_loops = loops.size();
   const auto vertices = std::count_if(mesh.vertices_begin(), mesh.vertices_end(),
                                       [&](const auto v) { return !mesh.is_isolated(v); });
   euler_characteristic =

@@ -11,6 +11,8 @@
 #include <optional>
 #include <string>
 
+std::size_t number_of_border_loops(const Mesh& mesh);
+
 struct Topology
 {
   explicit Topology(const Mesh& mesh);
