@@ -46,6 +46,7 @@ std::string with_options(const std::string& message)
     {"by grid_scale", "by --grid-scale or --number"},
     {"more than maximum_number", "more than --maximum-number"},
     {"which is maximum_number", "which is --maximum-number"},
+    {"minimize_number_of_quads(true)", "--coarsest"},
     {"by maximum_feature_loss", "by --feature-loss"},
     {"than maximum_feature_loss", "than --feature-loss"},
     {"symmetry_plane", "--symmetry"},

@@ -18,6 +18,7 @@
 // The steps from a surface to its quads.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/Map_quantizer.h>
@@ -208,7 +209,10 @@ private:
       make_quads_of_choice(0);
     const std::size_t number = m_run.quantization.number_of_quads;
     if(fewest < number && double(number) > 1.1 * m_run.options.quantization.number_of_quads)
-      m_run.report.message = counted(fewest, "quad") + " were found, too, but in a worse shape";
+      m_run.report.message =
+        counted(fewest, "quad") + " were found, too, but in a worse shape, with a mean scaled "
+        "Jacobian of " + short_number(m_jacobian_of_fewest) + " at first; "
+        "minimize_number_of_quads(true) makes as few as are found";
     return true;
   }
 
@@ -276,12 +280,13 @@ private:
     if(m_choices.empty())
       return;
     const State first = m_choices.front();
-    bool is_good = true;
+    m_jacobian_of_fewest = 1;
     shape_choice(first,
                  [&](const Feature_lines& lines, Quad_smoother& smoother)
                  { shape(lines, smoother, rounds_to_choose); },
                  [&](const Quad_smoother& smoother)
-                 { is_good = smoother.measure_shape().mean_scaled_jacobian >= good_shape; });
+                 { m_jacobian_of_fewest = smoother.measure_shape().mean_scaled_jacobian; });
+    const bool is_good = m_jacobian_of_fewest >= good_shape;
     Quantization_options options = m_run.options.quantization;
     options.maximum_feature_loss = 0; // the features that it lets go are released already
     const double number = (std::max)(options.number_of_quads,
@@ -485,6 +490,7 @@ private:
   Mesh& m_quads;
   Feature_map m_is_feature;
   double m_least_number = 1; // of quads, that is wanted and can be made
+  double m_jacobian_of_fewest = 1; // of the choices, in a rough shape
   std::vector<Point> m_inverted_places; // the corners of quads that are inverted or upside down
   std::vector<Point> m_thin_places; // of others
 };
