@@ -6,7 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-// `STILL_FLIPPED`: the result is exact and written, but flips remain that were to be repaired.
+// `STILL_FLIPPED`: the result is exact and written, but flips remain that were to be repaired, or
+// quads that are inverted.
 enum Exit
 {
   SUCCESS = 0, NOT_SOLVED = 1, USAGE = 2, UNREADABLE = 3, UNWRITABLE = 4, STILL_FLIPPED = 5

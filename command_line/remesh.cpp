@@ -434,9 +434,12 @@ void remesh(const Arguments& arguments)
       write_file(options.picture, quad_picture(quads.mesh, quads.is_feature));
     outcome.patches = write_patches(quads.mesh, quads.is_feature, options.patches);
     outcome.write_summary(os, options.output);
+    if(const std::size_t n = report.number_of_inverted_quads; n > 0)
+      throw Failure(STILL_FLIPPED, options.output + ": written, but " + counted(n, "quad") +
+                                     (n == 1 ? " stays" : " stay") + " inverted");
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())
-      write_json(options.report, outcome.json(status == SUCCESS, message));
+      write_json(options.report, outcome.json(status == SUCCESS || status == STILL_FLIPPED, message));
   });
 }
