@@ -564,6 +564,71 @@ void test_cone_distance()
         cones(rough, parameters::face_direction_map(direction)));
 }
 
+// On large surfaces, the field is made smooth only near edges across which it turns by another
+// rotation: what is farther away stays as it is. Nothing is near that is farther away along a
+// straight line.
+void test_fields_near_cones()
+{
+  namespace P = QR::internal::parametrization;
+  using QR::internal::Corner_index;
+  for(const unsigned int seed : {0u, 1u, 2u}) {
+    const std::string context = "seed " + std::to_string(seed);
+    const Mesh mesh = perturbed(icosphere(4), 0.01, seed);
+    const P::Triangle_surface surface = flat_surface(mesh);
+    const double scale = std::ldexp(1., -surface.exponent);
+    const std::size_t size = std::size_t(surface.number_of_faces());
+    double seconds = 0;
+    P::Timed_solver solver(seconds);
+    const P::Wanted_field wanted = P::wanted_field(surface, P::Parametrization_options());
+    const std::vector<double> before = P::cross_field(surface, wanted, 0, solver);
+    P::Matching matching = P::match_crosses(surface, before);
+    for(const Corner_index h : {100, 5000, 14000})
+      P::set_turns(surface, before, h, matching.turns[std::size_t(h)] + 1, matching);
+    const std::vector<char> none(size, false);
+    std::vector<char> is_far(size, false);
+    P::fix_far_faces(surface, matching, 0.4 * scale, is_far);
+
+    const auto energy_of = [&](const P::Matching& m) {
+      double result = 0;
+      for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+        result += P::dual_weight(surface, h) * m.deviation[h] * m.deviation[h];
+      return result;
+    };
+    std::vector<double> energies;
+    for(const std::vector<char>& is_fixed : {none, is_far}) {
+      std::vector<double> angles = before;
+      P::Matching smooth = matching;
+      P::smoothen_matched_field(surface, is_fixed, wanted.crosses, angles, smooth, solver);
+      energies.push_back(energy_of(smooth));
+      for(std::size_t f = 0; f < size; ++f)
+        CHECK(!is_fixed[f] || angles[f] == before[f]);
+    }
+    const auto number = std::count(is_far.begin(), is_far.end(), char(true));
+    std::cout << context << ": " << number << " faces of " << size << " are far away; energy "
+              << energy_of(matching) << " -> " << energies[1] << ", " << energies[0]
+              << " if all faces may turn" << std::endl;
+    CHECK_IN(context, number > 0 && number < std::ptrdiff_t(size) && energies[0] < energies[1] &&
+                        energies[1] < energy_of(matching));
+
+    std::vector<Point_3> sources;
+    const auto point = [&](const std::size_t v)
+      { return mesh.point(Mesh::Vertex_index(Mesh::size_type(v))); };
+    for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+      if(std::abs(matching.deviation[h]) >= P::quarter_turn / 2) {
+        sources.push_back(point(surface.vertex(h)));
+        CHECK(!is_far[std::size_t(h / 3)]);
+      }
+    for(Corner_index h = 0; h < surface.number_of_halfedges(); h += 3)
+      CHECK(is_far[std::size_t(h / 3)] ||
+            std::any_of(sources.begin(), sources.end(), [&](const Point_3& p) {
+              const auto is_near = [&](const Corner_index g) {
+                return CGAL::squared_distance(p, point(surface.vertex(g))) < 0.16 + 1e-9;
+              };
+              return is_near(h) || is_near(h + 1) || is_near(h + 2);
+            }));
+  }
+}
+
 // A sphere of latitudes and longitudes, whose upper half is `height` above the lower one. Diagonals
 // run one way, or each second one the other way.
 Mesh capsule(const std::size_t n, const double height, const bool is_alternating)
@@ -1196,6 +1261,7 @@ int main()
   test_given_cones_around_handles();
   test_cones_of_tori();
   test_cone_distance();
+  test_fields_near_cones();
   test_cones_of_spheres();
   test_unavoidable_flips();
   for(unsigned int seed = 0; seed < 20; ++seed)

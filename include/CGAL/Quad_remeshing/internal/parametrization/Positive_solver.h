@@ -42,9 +42,6 @@ namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
-// Where it takes less time to look at few faces by themselves than at all.
-inline bool is_large(const Triangle_surface& surface) { return surface.number_of_faces() > 50000; }
-
 inline void tell_flips(const std::size_t number)
 { Progress::tell_each_second([&] { return counted(number, "flipped face") + " in the map"; }); }
 

@@ -231,6 +231,9 @@ void for_each_edge_of_face_trees(const Triangle_surface& surface, const MayCross
   }
 }
 
+// Where it takes less time to look at few faces by themselves than at all.
+inline bool is_large(const Triangle_surface& surface) { return surface.number_of_faces() > 50000; }
+
 } // namespace parametrization
 } // namespace internal
 } // namespace Quad_remeshing

@@ -410,8 +410,27 @@ inline std::size_t cancel_rotations(const Triangle_surface& surface,
   return count;
 }
 
+// Keeps the faces that are farther than that from all edges across which the field turns by more
+// than an eighth, as it does where rotations have changed.
+inline void fix_far_faces(const Triangle_surface& surface, const Matching& matching,
+                          const double distance, std::vector<char>& is_fixed)
+{
+  Shortest_paths paths(surface);
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+    if(std::abs(matching.deviation[h]) >= quarter_turn / 2)
+      paths.add_source(surface.vertex(h));
+  std::vector<char> is_near(surface.number_of_vertices(), false);
+  paths.run([&](const std::size_t v) { is_near[v] = true; return false; },
+            [&](Corner_index, const double d) { return d <= distance; });
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); h += 3)
+    if(!is_near[surface.vertex(h)] && !is_near[surface.vertex(h + 1)] &&
+       !is_near[surface.vertex(h + 2)])
+      is_fixed[surface.face(h)] = true;
+}
+
 // Cancels opposite cones of up to that distance, and makes the field the wanted one with the new
-// rotations. Returns whether there were some.
+// rotations; on large surfaces near these only, as two cones that cancel hardly matter some
+// distances away. Returns whether there were some.
 inline bool cancel_cones(const Triangle_surface& surface, const Wanted_field& wanted,
                          const double distance, const std::vector<int>& index,
                          std::vector<double>& angles, Matching& matching, Timed_solver& solver)
@@ -425,6 +444,9 @@ inline bool cancel_cones(const Triangle_surface& surface, const Wanted_field& wa
   Prescribed_field crosses = wanted.crosses;
   for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
     crosses[f] *= wanted.strength * surface.area[f] / mean_area[surface.component[f]];
+  constexpr double distances_around = 8;
+  if(is_large(surface))
+    fix_far_faces(surface, matching, distances_around * distance, is_fixed);
   smoothen_matched_field(surface, is_fixed, crosses, angles, matching, solver);
   return true;
 }
