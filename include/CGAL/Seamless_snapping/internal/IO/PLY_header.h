@@ -20,6 +20,8 @@
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 
+#include <boost/endian/conversion.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -219,13 +221,7 @@ private:
 // The values in a PLY file, one after the other, as they stand there: text or bytes.
 
 // Whether this machine holds the byte of least value first.
-inline bool is_little_endian()
-{
-  const std::uint16_t one = 1;
-  unsigned char first;
-  std::memcpy(&first, &one, 1);
-  return first == 1;
-}
+constexpr bool is_little_endian = boost::endian::order::native == boost::endian::order::little;
 
 // A value of a binary file.
 template <typename T>
@@ -233,7 +229,7 @@ T from_bytes(const std::string_view bytes, const PLY_format format)
 {
   std::array<char, sizeof(T)> copy;
   std::copy(bytes.begin(), bytes.begin() + sizeof(T), copy.begin());
-  if((format == PLY_format::LITTLE_ENDIAN_BYTES) != is_little_endian())
+  if((format == PLY_format::LITTLE_ENDIAN_BYTES) != is_little_endian)
     std::reverse(copy.begin(), copy.end());
   T value;
   std::memcpy(&value, copy.data(), sizeof(T));
@@ -245,7 +241,7 @@ void append_bytes(const T value, const PLY_format format, std::string& text)
 {
   std::array<char, sizeof(T)> copy;
   std::memcpy(copy.data(), &value, sizeof(T));
-  if((format == PLY_format::LITTLE_ENDIAN_BYTES) != is_little_endian())
+  if((format == PLY_format::LITTLE_ENDIAN_BYTES) != is_little_endian)
     std::reverse(copy.begin(), copy.end());
   text.append(copy.data(), copy.size());
 }
