@@ -103,25 +103,18 @@ public:
   // 2^1023 is not exceeded.
   Exact_level doubled() const
   {
-    Exact_level result;
-    result.m_nearest = 2 * m_nearest;
-    result.m_rest = 2 * m_rest;
     if(m_rational != nullptr)
-      result.set(Exact_rational(2 * *m_rational));
+      return Exact_level(Exact_rational(2 * *m_rational));
+    Exact_level result(2 * m_nearest);
+    result.m_rest = 2 * m_rest;
     return result;
   }
 
   Exact_level minus(const Exact_level& other) const
   {
-    Exact_level result;
-    if(is_double() && other.is_double()) {
-      const Exact_difference d(m_nearest, other.m_nearest);
-      result.m_nearest = d.rounded;
-      result.m_rest = d.error;
-    } else {
-      result.set(Exact_rational(exact() - other.exact()));
-    }
-    return result;
+    if(is_double() && other.is_double())
+      return Exact_level(Exact_difference(m_nearest, other.m_nearest));
+    return Exact_level(Exact_rational(exact() - other.exact()));
   }
 
   Exact_level negated() const { return Exact_level().minus(*this); }
