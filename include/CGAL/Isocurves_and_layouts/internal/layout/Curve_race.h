@@ -90,8 +90,7 @@ class Curve_race
 {
 public:
   Curve_race(const Layout_domain& domain, const Race_options& options)
-    : m_domain(domain), m_mesh(domain.mesh), m_options(options), m_curves(domain),
-      m_later(Later_meeting{&m_meetings})
+    : m_domain(domain), m_mesh(domain.mesh), m_options(options), m_curves(domain)
   {
     m_limits.is_stop = [&domain](const std::size_t v)
                        { return domain.is_start(v) || domain.is_on_wall[v] ||
@@ -109,17 +108,15 @@ public:
     for(std::size_t v = 0; v < m_mesh.number_of_vertices(); ++v)
       if(m_domain.is_start(v))
         launch_from(v);
-    std::priority_queue<std::int32_t, std::vector<std::int32_t>, Later_meeting> meetings(m_later);
-    m_queue = &meetings;
-    while(!m_advances.empty() || !meetings.empty())
+    while(!m_advances.empty() || !m_queue.empty())
       if(is_advance_next()) {
         const Curve_index c = m_advances.top().curve;
         m_advances.pop();
         if(!advance(c))
           return false;
       } else {
-        const std::int32_t m = meetings.top();
-        meetings.pop();
+        const std::int32_t m = m_queue.top();
+        m_queue.pop();
         meet(m);
       }
     return true;
@@ -183,9 +180,9 @@ private:
 
   bool is_advance_next() const
   {
-    if(m_advances.empty() || m_queue->empty())
-      return m_queue->empty();
-    const Exact_level& time = m_meetings[std::size_t(m_queue->top())].twice_time;
+    if(m_advances.empty() || m_queue.empty())
+      return m_queue.empty();
+    const Exact_level& time = m_meetings[std::size_t(m_queue.top())].twice_time;
     return time.side_of(2 * m_advances.top().time) <= 0;
   }
 
@@ -371,7 +368,7 @@ private:
   void add(const Meeting& meeting)
   {
     m_meetings.push_back(meeting);
-    m_queue->push(std::int32_t(m_meetings.size() - 1));
+    m_queue.push(std::int32_t(m_meetings.size() - 1));
   }
 
   bool reaches(const Curve_index c, const Exact_level& twice_length) const
@@ -474,8 +471,8 @@ private:
   std::vector<char> m_is_waiting;                          // per trace: at a vertex
   std::priority_queue<Advance> m_advances;
   std::vector<Meeting> m_meetings;
-  Later_meeting m_later;
-  std::priority_queue<std::int32_t, std::vector<std::int32_t>, Later_meeting>* m_queue = nullptr;
+  std::priority_queue<std::int32_t, std::vector<std::int32_t>, Later_meeting> m_queue{
+    Later_meeting{&m_meetings}};
   std::vector<std::int32_t> m_crossings;
   std::size_t m_number_of_segments = 0;
 };
