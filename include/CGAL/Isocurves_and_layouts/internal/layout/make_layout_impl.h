@@ -35,7 +35,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -262,17 +261,15 @@ class Layout_maker
 {
 public:
   Layout_maker(Layout_input&& input, Layout_data& data)
-    : m_is_feature(std::move(input.is_feature)), m_align_border(input.align_border),
-      m_is_given(std::move(input.is_given)), m_options(input.options),
-      m_vertex_name(input.vertex_name), m_data(data), m_domain(data.domain)
+    : m_input(std::move(input)), m_data(data), m_domain(data.domain)
   {
-    m_domain.mesh = std::move(input.mesh);
+    m_domain.mesh = std::move(m_input.mesh);
   }
 
   void run()
   {
     if(check_faces() && check_walls()) {
-      mark_starts(m_is_given, m_domain);
+      mark_starts(m_input.is_given, m_domain);
       add_seeds(m_domain);
       if(!race() || !build())
         m_data.race.reset();
@@ -290,7 +287,7 @@ private:
   {
     split_fans();
     const Chart_mesh& mesh = m_domain.mesh;
-    mark_walls(m_is_feature, m_align_border, m_domain);
+    mark_walls(m_input.is_feature, m_input.align_border, m_domain);
     std::size_t number = 0;
     Corner_index first = no_index;
     for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
@@ -318,27 +315,27 @@ private:
     if(std::find(mesh.is_border.begin(), mesh.is_border.end(), true) == mesh.is_border.end())
       return;
     std::vector<char> is_given_corner;
-    if(!m_is_given.empty())
+    if(!m_input.is_given.empty())
       for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
-        is_given_corner.push_back(m_is_given[mesh.vertex(h)]);
+        is_given_corner.push_back(m_input.is_given[mesh.vertex(h)]);
     Fan_splitter<Quarter_turns>(mesh).run();
-    if(m_is_given.empty())
+    if(m_input.is_given.empty())
       return;
-    m_is_given.assign(mesh.number_of_vertices(), false);
+    m_input.is_given.assign(mesh.number_of_vertices(), false);
     for(Corner_index h = 0; h < mesh.number_of_halfedges(); ++h)
       if(is_given_corner[std::size_t(h)])
-        m_is_given[mesh.vertex(h)] = true;
+        m_input.is_given[mesh.vertex(h)] = true;
   }
 
   bool race()
   {
-    m_data.race = std::make_unique<Curve_race>(m_domain, m_options);
+    m_data.race = std::make_unique<Curve_race>(m_domain, m_input.options);
     const bool has_ended = m_data.race->run();
     m_data.number_of_segments = m_data.race->number_of_segments();
     return has_ended ||
            refuse(m_data, Outcome::TOO_LARGE,
                   "the curves cross faces, or each other, more than " +
-                    std::to_string(m_options.maximum_number) +
+                    std::to_string(m_input.options.maximum_number) +
                     " times; raise maximum_number, or let curves end where they meet others");
   }
 
@@ -375,15 +372,11 @@ private:
 
   std::string name_of_edge(const Corner_index h) const
   {
-    return "that from vertex " + m_vertex_name(m_domain.mesh.source(h)) + " to vertex " +
-           m_vertex_name(m_domain.mesh.vertex(h));
+    return "that from vertex " + m_input.vertex_name(m_domain.mesh.source(h)) + " to vertex " +
+           m_input.vertex_name(m_domain.mesh.vertex(h));
   }
 
-  std::vector<char> m_is_feature;
-  bool m_align_border;
-  std::vector<char> m_is_given;
-  Race_options m_options;
-  std::function<std::string(std::size_t)> m_vertex_name;
+  Layout_input m_input;
   Layout_data& m_data;
   Layout_domain& m_domain;
 };
