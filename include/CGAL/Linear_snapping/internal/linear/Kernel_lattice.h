@@ -111,7 +111,8 @@ public:
       Progress::tell_each_second([&] { return counted(i + 1, "row") + " of " +
                                               std::to_string(is_done.size()) + " solved"; });
     }
-    finish();
+    m_vectors.erase(std::remove_if(m_vectors.begin(), m_vectors.end(),
+                                   [](const Vector& v) { return v.empty(); }), m_vectors.end());
   }
 
   // In the order in which rows were treated.
@@ -165,11 +166,9 @@ private:
     std::vector<std::size_t> candidates;
     for(const Entry<Integer>& e : m_rows[row]) {
       std::vector<std::size_t>& users = m_users[std::size_t(e.column)];
-      std::size_t kept = 0;
-      for(const std::size_t v : users)
-        if(find_entry(m_vectors[v], e.column) != nullptr)
-          users[kept++] = v;
-      users.resize(kept);
+      users.erase(std::remove_if(users.begin(), users.end(), [&](const std::size_t v)
+                                 { return find_entry(m_vectors[v], e.column) == nullptr; }),
+                  users.end());
       std::sort(users.begin(), users.end());
       users.erase(std::unique(users.begin(), users.end()), users.end());
       candidates.insert(candidates.end(), users.begin(), users.end());
@@ -198,8 +197,12 @@ private:
   // less in the image for little growth of the vector.
   void combine(std::vector<Image>& images)
   {
-    const std::size_t largest = largest_image(images);
-    std::swap(images[largest], images.back());
+    const auto largest =
+      std::max_element(images.begin(), images.end(), [this](const Image& a, const Image& b) {
+        return std::make_pair(a.size, m_lengths[a.vector]) <
+               std::make_pair(b.size, m_lengths[b.vector]);
+      });
+    std::iter_swap(largest, images.end() - 1);
     Image& image = images.back();
     const double length = m_lengths[image.vector];
     double best_price = (std::numeric_limits<double>::max)();
@@ -218,18 +221,6 @@ private:
     divide(image, images[best]);
     if(image.value == 0)
       images.pop_back();
-  }
-
-  std::size_t largest_image(const std::vector<Image>& images) const
-  {
-    std::size_t largest = 0;
-    for(std::size_t i = 1; i < images.size(); ++i) {
-      const Image& a = images[i];
-      const Image& b = images[largest];
-      if(a.size > b.size || (a.size == b.size && m_lengths[a.vector] > m_lengths[b.vector]))
-        largest = i;
-    }
-    return largest;
   }
 
   void divide(Image& image, const Image& divisor)
@@ -313,18 +304,6 @@ private:
           vector.push_back({columns[i], dense[k][i]});
       replace(selection[k], std::move(vector));
     }
-  }
-
-  void finish()
-  {
-    std::size_t kept = 0;
-    for(std::size_t i = 0; i < m_vectors.size(); ++i)
-      if(!m_vectors[i].empty()) {
-        if(kept != i)
-          m_vectors[kept] = std::move(m_vectors[i]);
-        ++kept;
-      }
-    m_vectors.resize(kept);
   }
 
   static constexpr std::size_t largest_local_reduction = 60;
