@@ -95,7 +95,6 @@ public:
 
 private:
   void find_components(const Integer_system& system);
-  void add_empty_row(const Integer_system& system, std::size_t row);
   Integer_system subsystem(const Integer_system& system, std::size_t c) const;
   template <typename Integer>
   void make_local(Entries<Integer>& row) const;

@@ -195,7 +195,10 @@ void Linear_solver::find_components(const Integer_system& system)
   std::vector<Component_index> component_of_set(system.number_of_columns(), -1);
   for(std::size_t i = 0; i < system.number_of_rows(); ++i) {
     if(first_column[i] < 0) {
-      add_empty_row(system, i);
+      if(!system.has_right_hand_side(i))
+        ++m_figures.number_of_redundant_constraints;
+      else if(!m_contradictory_row)
+        m_contradictory_row = i;
       continue;
     }
     Component_index& c = component_of_set[sets.find_set(std::size_t(first_column[i]))];
@@ -214,15 +217,6 @@ void Linear_solver::find_components(const Integer_system& system)
     m_local_column[j] = Column_index(m_columns[std::size_t(c)].size());
     m_columns[std::size_t(c)].push_back(Column_index(j));
   }
-}
-
-CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-void Linear_solver::add_empty_row(const Integer_system& system, const std::size_t row)
-{
-  if(!system.has_right_hand_side(row))
-    ++m_figures.number_of_redundant_constraints;
-  else if(!m_contradictory_row)
-    m_contradictory_row = row;
 }
 
 // The rows of a component, with right-hand sides on a scale of their own.
