@@ -149,18 +149,11 @@ private:
   // The rows with columns as indices into `m_columns`, and without right-hand sides.
   Integer_system renumbered(std::vector<Integer_row<Exact_integer> > rows)
   {
-    for(const Integer_row<Exact_integer>& row : rows)
-      for(const Entry<Exact_integer>& e : row.entries) {
-        m_columns.push_back(e.column);
-        m_largest_coefficient = (std::max)(m_largest_coefficient, absolute_value(e.coefficient));
-      }
-    std::sort(m_columns.begin(), m_columns.end());
-    m_columns.erase(std::unique(m_columns.begin(), m_columns.end()), m_columns.end());
+    m_columns = renumber_columns(rows);
     Integer_system system(m_columns.size());
     for(Integer_row<Exact_integer>& row : rows) {
-      for(Entry<Exact_integer>& e : row.entries)
-        e.column = Column_index(std::lower_bound(m_columns.begin(), m_columns.end(), e.column) -
-                                m_columns.begin());
+      for(const Entry<Exact_integer>& e : row.entries)
+        m_largest_coefficient = (std::max)(m_largest_coefficient, absolute_value(e.coefficient));
       m_right_hand_side.push_back(std::move(row.right_hand_side));
       row.right_hand_side = 0;
       system.add_row(std::move(row));

@@ -103,6 +103,23 @@ bool operator<(const Integer_row<Integer>& a, const Integer_row<Integer>& b)
   return std::tie(a.entries, a.right_hand_side) < std::tie(b.entries, b.right_hand_side);
 }
 
+// Replaces columns by their places among those that some row has; returns these, sorted.
+inline std::vector<Column_index>
+renumber_columns(std::vector<Integer_row<Exact_integer> >& rows)
+{
+  std::vector<Column_index> columns;
+  for(const Integer_row<Exact_integer>& row : rows)
+    for(const Entry<Exact_integer>& e : row.entries)
+      columns.push_back(e.column);
+  std::sort(columns.begin(), columns.end());
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  for(Integer_row<Exact_integer>& row : rows)
+    for(Entry<Exact_integer>& e : row.entries)
+      e.column = Column_index(std::lower_bound(columns.begin(), columns.end(), e.column) -
+                              columns.begin());
+  return columns;
+}
+
 // Invariant: each row has sorted columns and no zeros, and is kept in multiprecision if and only if
 // one of its numbers exceeds 2^62. The right-hand sides are integers times 2^-right_hand_scale: a
 // solution on a grid of step 2^e, e <= -right_hand_scale, is an integer vector X with

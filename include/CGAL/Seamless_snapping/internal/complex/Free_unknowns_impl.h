@@ -25,7 +25,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -60,19 +59,13 @@ Free_unknowns::Free_unknowns(const Integer_system& system)
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 void Free_unknowns::add_core(const Integer_system& rows, std::vector<char>& is_implied)
 {
-  std::vector<Column_index> columns;
+  std::vector<Integer_row<Exact_integer> > core_rows;
   for(std::size_t i = 0; i < rows.number_of_rows(); ++i)
-    rows.for_each_column(i, [&](const Column_index c) { columns.push_back(c); });
-  std::sort(columns.begin(), columns.end());
-  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+    core_rows.push_back(rows.exact_row(i));
+  const std::vector<Column_index> columns = renumber_columns(core_rows);
   Integer_system core(columns.size());
-  for(std::size_t i = 0; i < rows.number_of_rows(); ++i) {
-    Integer_row<Exact_integer> row = rows.exact_row(i);
-    for(auto& e : row.entries)
-      e.column = Column_index(std::lower_bound(columns.begin(), columns.end(), e.column) -
-                              columns.begin());
+  for(Integer_row<Exact_integer>& row : core_rows)
     core.add_row(std::move(row));
-  }
   for(const Column_index c : columns)
     is_implied[std::size_t(c)] = true;
   if(columns.empty())
