@@ -31,6 +31,7 @@
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
@@ -153,17 +154,17 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
   using Group = Symmetry_group<NamedParameters>;
   const auto given = given_transitions<Group>(tmesh, np);
   const Uv_surface surface(tmesh, uv_map, No_indices());
-  Uv_box box;
+  CGAL::Bbox_2 box;
   for(const auto h : surface.one_per_face()) {
     const Uv_triangle triangle{{surface.uv(surface.prev(h)), surface.uv(h),
                                 surface.uv(surface.next(h))}};
     for(const Uv& u : triangle)
-      box.add(u);
+      box += box_of(u);
     const CGAL::Orientation sign = orientation(triangle);
     result.number_of_flipped_faces += (sign == CGAL::NEGATIVE) ? 1 : 0;
     result.number_of_degenerate_faces += (sign == CGAL::ZERO) ? 1 : 0;
   }
-  result.extent = box.extent();
+  result.extent = extent_of(box);
   const double scale = unit_scale(result.extent);
   for(const auto h : surface.one_per_edge()) {
     if(lies_on_border(surface, h))

@@ -24,6 +24,8 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
+#include <CGAL/Bbox_2.h>
+
 #include <boost/container/static_vector.hpp>
 
 #include <algorithm>
@@ -31,7 +33,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,30 +68,11 @@ inline bool is_in_range(const Uv& u)
   return std::abs(u[0]) <= largest_coordinate && std::abs(u[1]) <= largest_coordinate;
 }
 
-// The bounding box of coordinates. Ignores NaN.
-class Uv_box
-{
-public:
-  void add(const Uv& u)
-  {
-    for(std::size_t c = 0; c < 2; ++c) { // without branches
-      m_low[c] = u[c] < m_low[c] ? u[c] : m_low[c];
-      m_high[c] = u[c] > m_high[c] ? u[c] : m_high[c];
-    }
-  }
+// To be added to another box, which ignores NaN.
+inline CGAL::Bbox_2 box_of(const Uv& u) { return {u[0], u[1], u[0], u[1]}; }
 
-  bool is_empty() const { return m_low[0] > m_high[0]; }
-  bool is_in_range() const
-  { return is_empty() || (internal::is_in_range(m_low) && internal::is_in_range(m_high)); }
-
-  double extent() const
-  { return is_empty() ? 0 : (std::max)(m_high[0] - m_low[0], m_high[1] - m_low[1]); }
-
-private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  Uv m_low{{infinity, infinity}};
-  Uv m_high{{-infinity, -infinity}};
-};
+inline double extent_of(const CGAL::Bbox_2& box)
+{ return box.xmin() > box.xmax() ? 0 : (std::max)(box.x_span(), box.y_span()); }
 
 // On failure only: names the place, if there is one.
 template <typename Surface>
@@ -143,7 +125,7 @@ survey_uv(const Surface& surface,
   Uv_survey<Halfedge> survey;
   // growing would copy and touch more memory
   survey.mismatched_edges.reserve(surface.number_of_edges() / 16);
-  Uv_box box;
+  CGAL::Bbox_2 box;
   std::size_t number_of_corners = 0;
   std::size_t number_of_digons = 0; // of faces or, which is allowed, of holes, by halfedges
   // NaN differs from itself, so that only open edges and the border can hide it
@@ -151,14 +133,14 @@ survey_uv(const Surface& surface,
 
   const auto add_border_corner = [&](const Halfedge h) {
     ++number_of_corners;
-    box.add(surface.uv(h));
+    box += box_of(surface.uv(h));
     in_range = in_range && is_in_range(surface.uv(h));
   };
   const auto compare_sides = [&](const Halfedge h) {
     const Halfedge g = surface.opposite(h);
     number_of_corners += 2;
-    box.add(surface.uv(h));
-    box.add(surface.uv(g));
+    box += box_of(surface.uv(h));
+    box += box_of(surface.uv(g));
     if(surface.have_same_uv(h, surface.prev(g)) && surface.have_same_uv(g, surface.prev(h)) &&
        !(is_open_anyway && is_open_anyway(h)))
       return;
@@ -194,10 +176,10 @@ survey_uv(const Surface& surface,
     for(const Halfedge h : inner_edges[i])
       compare_sides(h);
   }
-  survey.extent = box.extent();
+  survey.extent = extent_of(box);
   // If faces have at least three corners, all are triangles if there are no more corners than that.
-  if(!in_range || number_of_digons > 0 || !box.is_in_range() ||
-     number_of_corners != 3 * surface.number_of_faces())
+  if(!in_range || number_of_digons > 0 || !is_in_range({box.xmin(), box.ymin()}) ||
+     !is_in_range({box.xmax(), box.ymax()}) || number_of_corners != 3 * surface.number_of_faces())
     survey.refusal = find_bad_face(surface);
   return survey;
 }
