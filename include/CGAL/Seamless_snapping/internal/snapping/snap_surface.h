@@ -38,7 +38,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
