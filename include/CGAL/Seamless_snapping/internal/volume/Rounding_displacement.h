@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -316,12 +317,7 @@ private:
   }
 
   static double product(const Values& a, const Values& b)
-  {
-    double result = 0;
-    for(std::size_t j = 0; j < a.size(); ++j)
-      result += a[j] * b[j];
-    return result;
-  }
+  { return std::inner_product(a.begin(), a.end(), b.begin(), 0.); }
 
   const Volume_members& m_members;
   std::vector<Uvw> m_bases;                                   // per corner
