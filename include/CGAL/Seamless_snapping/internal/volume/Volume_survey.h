@@ -51,18 +51,14 @@ struct Volume_features
 
   void sort()
   {
-    sort(facets);
-    sort(edges);
-  }
-
-private:
-  template <typename Elements>
-  static void sort(Elements& elements)
-  {
-    for(auto& element : elements)
-      std::sort(element.begin(), element.end());
-    std::sort(elements.begin(), elements.end());
-    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    const auto sort_all = [](auto& elements) {
+      for(auto& element : elements)
+        std::sort(element.begin(), element.end());
+      std::sort(elements.begin(), elements.end());
+      elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    };
+    sort_all(facets);
+    sort_all(edges);
   }
 };
 
