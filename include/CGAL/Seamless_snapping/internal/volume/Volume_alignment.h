@@ -56,11 +56,11 @@ public:
   {
     fit_facets();
     std::vector<std::size_t> undecided;
-    for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i)
-      if(!is_clear(i))
+    for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i) {
+      m_is_decided.push_back(is_clear(i));
+      if(m_is_decided[i] == 0)
         undecided.push_back(i);
-    for(const std::size_t i : undecided)
-      m_is_decided[i] = 0;
+    }
     decide_by_surroundings( // where nothing tells, what fits best stays
       std::move(undecided), [&](const std::size_t i) { return most_wanted_coordinate(i); },
       [&](const std::size_t i, const int k) {
@@ -103,7 +103,6 @@ private:
         noise = (std::max)(noise, *least);
       }
     }
-    m_is_decided.assign(m_volume.aligned_facets.size(), 1);
   }
 
   double largest_spread(const Corner_index facet) const
