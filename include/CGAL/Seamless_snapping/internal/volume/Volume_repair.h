@@ -92,20 +92,11 @@ private:
     return orientation(now) != m_orientation && orientation(before) == m_orientation;
   }
 
-  // Calls f(slot, corner).
-  template <typename F>
-  void for_each_corner(const Member_index member, const F& f) const
-  {
-    m_members->for_each_corner(member, [&](const std::size_t slot, const Corner_index i) {
-      f(slot, std::size_t(i));
-    });
-  }
-
   std::size_t number_of_lost_cells(const Member_index member) const
   {
     std::size_t result = 0;
-    for_each_corner(member, [&](std::size_t, const std::size_t i) {
-      result += std::size_t(is_lost(i / 4));
+    m_members->for_each_corner(member, [&](std::size_t, const Corner_index i) {
+      result += std::size_t(is_lost(std::size_t(i / 4)));
     });
     return result;
   }
@@ -116,7 +107,7 @@ private:
   {
     const Place& place = m_members->place(member);
     std::size_t number_of_cells = 0;
-    for_each_corner(member, [&](std::size_t, std::size_t) { ++number_of_cells; });
+    m_members->for_each_corner(member, [&](std::size_t, Corner_index) { ++number_of_cells; });
     if(number_of_cells > largest_number_of_cells_at_moved_vertex)
       return;
     const Place_freedom& freedom = m_members->freedom(member);
@@ -144,7 +135,8 @@ private:
   {
     const Place& place = m_members->place(member);
     bool is_good = true;
-    for_each_corner(member, [&](const std::size_t slot, const std::size_t i) {
+    m_members->for_each_corner(member, [&](const std::size_t slot, const Corner_index corner) {
+      const std::size_t i = std::size_t(corner);
       const Move turned = Group::apply(element(freedom, slot, i), move);
       for(std::size_t c = 0; c < 3; ++c) {
         if(turned[c] == 0)
@@ -199,7 +191,8 @@ private:
     const Eigen::Index dimension = Eigen::Index(directions.size());
     std::vector<Eigen::VectorXd> rows;
     std::vector<double> wanted;
-    for_each_corner(member, [&](const std::size_t slot, const std::size_t i) {
+    m_members->for_each_corner(member, [&](const std::size_t slot, const Corner_index corner) {
+      const std::size_t i = std::size_t(corner);
       const double sign = m_orientation == CGAL::NEGATIVE ? -1 : 1;
       const double before = sign * volume(m_volume.coordinates, i / 4);
       if(before < 0) // has nothing to lose
