@@ -200,8 +200,6 @@ private:
   Volume_places m_result;
 };
 
-// The members of all places, and how they can move while translations and levels stay as they are.
-
 // How the members of a place can differ: by moves that leave translations and levels alone. One
 // takes slot i by R_i e, where e is fixed by the rotations of all loops of arcs, and R_i e is 0 in
 // coordinates that have a level. As rotations permute coordinates, this makes coordinates of e
