@@ -124,13 +124,13 @@ void test_complexes(const std::string& name, const double noise, const unsigned 
     for(std::size_t s = 0; s < complex.coordinates.size(); ++s)
       for(std::size_t c = 0; c < 2; ++c) {
         const double x = snapped.coordinates[s][c];
-        const double steps = (x - complex.coordinates[s][c]) / snapped.unit;
+        const double steps = (x - complex.coordinates[s][c]) / solver.coarsest_step();
         squares += steps * steps;
         CHECK_IN(context, x == static_cast<double>(static_cast<Number>(x)));
         totals.largest_growth = (std::max)(totals.largest_growth,
                                            std::abs(x - complex.coordinates[s][c]) / noise);
       }
-    const double optimum = snapped.optimal_changes.root(1) / snapped.unit;
+    const double optimum = snapped.optimal_changes.root(1) / solver.coarsest_step();
     if(Group::is_signed_permutation) // else the optimum is not that of the coordinates' squares
       CHECK_IN(context, squares <= 1.01 * optimum * optimum +
                                      4 * static_cast<double>(complex.coordinates.size()));

@@ -49,19 +49,9 @@ struct Snapped_coordinates
   // Of all Cartesian coordinates, had they not been rounded to grids: those of the least-squares
   // optimum.
   Magnitudes optimal_changes;
-  double unit = 1; // the step of the coarsest grid
   // a component that needs a coarser grid; if there is one, all is void
   Component_index misfit = -1;
 };
-
-// Of all grids; 1 if there is none.
-inline double coarsest_step(const std::vector<Grid>& grids)
-{
-  double step = 0;
-  for(const Grid& grid : grids)
-    step = (std::max)(step, grid.step());
-  return step > 0 ? step : 1;
-}
 
 // The components that are kept have no solution, and need none.
 template <typename Group>
@@ -78,7 +68,6 @@ public:
     : m_complex(complex), m_system(system), m_components(components), m_targets(targets),
       m_solution(solution), m_is_kept(is_kept), m_format(format)
   {
-    m_result.unit = coarsest_step(solution.grids);
     m_result.coordinates = complex.coordinates;
     expand_mixed_sectors();
     expand_nodes();
@@ -287,7 +276,14 @@ public:
   const Number_format& format() const { return m_format; }
   const std::vector<Grid>& grids() const { return m_grids; } // per component
 
-  double coarsest_step() const { return internal::coarsest_step(m_grids); }
+  // 1 if there is no grid.
+  double coarsest_step() const
+  {
+    double step = 0;
+    for(const Grid& grid : m_grids)
+      step = (std::max)(step, grid.step());
+    return step > 0 ? step : 1;
+  }
 
   // Exact coordinates near the input; `grids()` become those of the solution. Returns why there are
   // none, if so.

@@ -259,7 +259,7 @@ protected:
     Complex_solver<Group> solver(cuts.complex, m_surface.format());
     m_report.linear_solver = solver.linear_solver().figures();
     m_timer.finish("elimination");
-    Snapped_coordinates<Group> snapped{cuts.complex.coordinates, {}, solver.coarsest_step(), -1};
+    Snapped_coordinates<Group> snapped{cuts.complex.coordinates, {}, -1};
     if(!was_exact)
       if(const auto refusal = solver.solve(snapped))
         return explained(*refusal, m_surface, cuts, m_options.constraints, roundings,
@@ -283,7 +283,7 @@ protected:
                      "the result failed its exact verification and "
                      "was discarded; please report this");
     m_timer.finish("verification");
-    collect_changes(cuts, stars, snapped);
+    collect_changes(cuts, stars, snapped, solver.coarsest_step());
     return std::nullopt;
   }
 
@@ -339,7 +339,7 @@ private:
   }
 
   void collect_changes(const Cuts& cuts, const Mesh_stars<Group, Surface>& stars,
-                       const Snapped_coordinates<Group>& snapped)
+                       const Snapped_coordinates<Group>& snapped, const double step)
   {
     Change_collector<Group, Surface, Mesh_stars<Group, Surface> > collector(
       cuts, stars, m_surface, snapped.coordinates);
@@ -349,7 +349,7 @@ private:
     // no exact solution can undercut that sum of squares
     m_report.optimal_rms_change =
       snapped.optimal_changes.root(collector.changes().sum_of_weights());
-    m_report.grid_step = m_report.linear_solver.number_of_constraints > 0 ? snapped.unit : 0;
+    m_report.grid_step = m_report.linear_solver.number_of_constraints > 0 ? step : 0;
     m_report.status = Outcome::SNAPPED;
     m_changes = collector.take();
     m_timer.finish("changes");
