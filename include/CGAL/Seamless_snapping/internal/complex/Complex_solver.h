@@ -23,7 +23,6 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/Grid_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
-#include <CGAL/Seamless_snapping/internal/complex/linear_target.h>
 
 #include <algorithm>
 #include <array>

@@ -27,7 +27,7 @@
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
-#include <CGAL/Seamless_snapping/internal/complex/linear_target.h>
+#include <CGAL/Seamless_snapping/internal/complex/Grid_coordinates.h>
 
 #include <CGAL/Exact_rational.h>
 
