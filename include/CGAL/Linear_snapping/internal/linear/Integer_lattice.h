@@ -101,8 +101,6 @@ private:
       throw Integer_overflow();
     b = to_64_bits(a);
   }
-  static void convert(const std::int64_t a, Exact_integer& b)
-  { b = from_64_bits<Exact_integer>(a); }
 
   template <typename Integer>
   static std::vector<std::vector<Integer> > dense_vectors(const std::vector<Vector>& basis,
@@ -124,10 +122,8 @@ private:
     for(const std::vector<Integer>& v : vectors) {
       Vector sparse;
       for(std::size_t i = 0; i < v.size(); ++i)
-        if(v[i] != 0) {
-          sparse.push_back({Column_index(i), Exact_integer(0)});
-          convert(v[i], sparse.back().coefficient);
-        }
+        if(v[i] != 0)
+          sparse.push_back({Column_index(i), Exact_integer(v[i])});
       m_basis.push_back(std::move(sparse));
     }
   }
