@@ -22,6 +22,7 @@
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Exact_integer.h>
+#include <CGAL/ipower.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
@@ -242,15 +243,9 @@ inline BOOST_NOINLINE std::int64_t to_64_bits(const Exact_integer& a)
 inline std::int64_t to_64_bits(const std::int64_t a) { return a; }
 
 // 2^exponent
-inline BOOST_NOINLINE Exact_integer power_of_two(std::size_t exponent)
+inline BOOST_NOINLINE Exact_integer power_of_two(const std::size_t exponent)
 {
-  Exact_integer result(1);
-  for(Exact_integer square(2); exponent != 0; exponent >>= 1) {
-    if((exponent & 1) != 0)
-      result = Exact_integer(result * square);
-    square = Exact_integer(square * square);
-  }
-  return result;
+  return CGAL::ipower(Exact_integer(2), static_cast<long>(exponent));
 }
 
 // How often `a` can be halved.
