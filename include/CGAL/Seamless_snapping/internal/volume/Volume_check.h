@@ -290,8 +290,7 @@ inline bool is_on_integers(const Flat_volume& volume, const Volume_transitions& 
 {
   Volume_integer_grid_measure measure;
   measure_distances(volume, transitions, alignment, u, measure);
-  return measure.number_of_noninteger_cuts == 0 && measure.number_of_noninteger_facets == 0 &&
-         measure.number_of_noninteger_edges == 0;
+  return measure.translation_distance == 0 && measure.alignment_distance == 0;
 }
 
 // The corners of vertices at which other than two of the interior edges meet.
@@ -306,14 +305,6 @@ inline std::vector<Corner_index> corners_of_nodes(const Flat_volume& volume,
   for(std::size_t i = 0; i < volume.vertices.size(); ++i)
     if(const std::int32_t n = number[std::size_t(volume.vertices[i])]; n != 0 && n != 2)
       result.push_back(Corner_index(i));
-  return result;
-}
-
-inline double point_distance(const Flat_volume& volume, const Corner_index corner)
-{
-  double result = 0;
-  for(const double x : volume.uvw(corner))
-    result = (std::max)(result, distance_to_integer(x));
   return result;
 }
 
@@ -338,8 +329,11 @@ inline void measure_singular_edges(const Flat_volume& volume, const Volume_trans
     measure.alignment_distance = (std::max)(measure.alignment_distance, distance);
   }
   std::vector<std::pair<std::int32_t, bool> > nodes; // and whether they are off the grid
-  for(const Corner_index corner : corners_of_nodes(volume, edges))
-    nodes.emplace_back(volume.vertex(corner), point_distance(volume, corner) != 0);
+  for(const Corner_index corner : corners_of_nodes(volume, edges)) {
+    const Uvw& u = volume.uvw(corner);
+    nodes.emplace_back(volume.vertex(corner), std::any_of(u.begin(), u.end(), [](const double x)
+                                                          { return x != std::round(x); }));
+  }
   std::sort(nodes.begin(), nodes.end(), std::greater<>());
   for(std::size_t i = 0; i < nodes.size(); ++i)
     if(i == 0 || nodes[i].first != nodes[i - 1].first) {
