@@ -94,15 +94,12 @@ private:
     for_each_row(element, [&](const PLY_property& property, const std::size_t i) {
       if(i == 0)
         m_soup.points.emplace_back();
-      bool is_coordinate = false;
-      for(std::size_t c = 0; c < 3; ++c)
-        if(i == places[c]) {
-          const std::string_view value = m_values.next(property.type);
-          m_soup.points.back()[c] = m_values.template number<PointNumber>(value, property.type);
-          is_coordinate = true;
-        }
-      if(!is_coordinate)
-        m_values.skip(property);
+      const auto place = std::find(places.begin(), places.end(), i);
+      if(place == places.end())
+        return m_values.skip(property);
+      const std::string_view value = m_values.next(property.type);
+      m_soup.points.back()[std::size_t(place - places.begin())] =
+        m_values.template number<PointNumber>(value, property.type);
     });
   }
 
