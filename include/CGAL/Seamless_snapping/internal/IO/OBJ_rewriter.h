@@ -135,15 +135,12 @@ private:
   {
     const std::size_t k = m_number_of_uvs++;
     std::string further_numbers;
-    for(std::size_t i = 0; ; ++i) {
-      const std::string_view token = m_scanner.next_token();
-      if(token.empty())
-        break;
-      if(i >= 2)
+    std::size_t place = 0;
+    for(std::string_view token; !(token = m_scanner.next_token()).empty(); ++place)
+      if(place >= 2)
         further_numbers += " " + std::string(token);
       else if(m_layout.is_used(m_layout.first(k)))
-        rewrite_number(token, m_soup.uvs[k][i], m_layout.uv(m_layout.first(k))[i]);
-    }
+        rewrite_number(token, m_soup.uvs[k][place], m_layout.uv(m_layout.first(k))[place]);
     if(m_layout.first(k) + 1 == m_layout.first(k + 1))
       return;
 
