@@ -288,7 +288,8 @@ private:
       if(input.is_border_edge(h))
         closed.erase(input.part[std::size_t(h / 3)]);
     return m_options.needs_face_graph && 6 * double(closed.size()) > m_options.number_of_quads
-             ? "; " + std::to_string(closed.size()) + " closed parts take at least 6 quads each"
+             ? "; " + counted(closed.size(), "closed part") +
+                 (closed.size() == 1 ? " takes at least 6 quads" : " take at least 6 quads each")
              : "";
   }
 
