@@ -2295,6 +2295,42 @@ void test_touching_bodies()
     CHECK(normal(quads, f) * normal(mesh, face_of[f].first) > 0);
 }
 
+// Two sheets that face to opposite sides, divided differently, and less far apart than they deviate
+// from their common shape: each has the quads that it has by itself.
+void test_double_sheets()
+{
+  for(const double gap : {0., 1e-6, 1e-4}) {
+    Mesh mesh, quads;
+    const auto add_sheet = [&](const std::size_t n, const std::size_t m, const bool is_upper) {
+      std::vector<Vertex> v;
+      for(std::size_t i = 0; i <= n; ++i)
+        for(std::size_t j = 0; j <= m; ++j) {
+          const double x = double(i) / double(n), y = double(j) / double(m);
+          v.push_back(mesh.add_vertex(Point_3(x, y, 0.03 * std::sin(4 * x) * std::cos(3 * y) +
+                                                      (is_upper ? gap : 0))));
+        }
+      for(std::size_t i = 0; i < n; ++i)
+        for(std::size_t j = 0; j < m; ++j) {
+          const Vertex a = v[i * (m + 1) + j], b = v[i * (m + 1) + j + 1],
+                       c = v[(i + 1) * (m + 1) + j], d = v[(i + 1) * (m + 1) + j + 1];
+          is_upper ? mesh.add_face(a, c, d) : mesh.add_face(d, c, a);
+          is_upper ? mesh.add_face(a, d, b) : mesh.add_face(b, d, a);
+        }
+    };
+    add_sheet(20, 20, true);
+    add_sheet(17, 23, false);
+    const auto report = QR::quad_remesh(mesh, quads, parameters::target_number_of_quads(600));
+    const std::string context = "sheets at " + std::to_string(gap) + ": " +
+                                std::to_string(report.number_of_quads) + " quads, mean Jacobian " +
+                                std::to_string(report.mean_scaled_jacobian) + report.message;
+    std::cout << context << std::endl;
+    CHECK_IN(context, report && report.number_of_inverted_quads == 0 &&
+                        report.number_of_irregular_vertices == 0 &&
+                        report.number_of_displaced_vertices == 0 &&
+                        report.mean_scaled_jacobian > 0.99);
+  }
+}
+
 // Cones lie inside of the caps. Without vertices there, over 100 of them crowd on the rims.
 void test_remeshing_of_long_triangles()
 {
@@ -3165,6 +3201,7 @@ int main()
     test_prisms();
     test_edge_lengths();
     test_touching_bodies();
+    test_double_sheets();
   }
   test_refinement();
   test_sizes_in_space();

@@ -347,7 +347,7 @@ private:
   }
 
   static constexpr double well_shaped = 0.3; // as a scaled Jacobian
-  static constexpr double distance_of_same_place = 1e-6; // on a surface of a size near 1
+  static constexpr double distance_of_same_place = 1e-3; // on a surface of a size near 1
   static constexpr double cosine_of_opposite_sides = -0.999;
 
   void move(const Vertex v)
