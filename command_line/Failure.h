@@ -13,6 +13,8 @@ enum Exit
   SUCCESS = 0, NOT_SOLVED = 1, USAGE = 2, UNREADABLE = 3, UNWRITABLE = 4, STILL_FLIPPED = 5
 };
 
+inline bool is_written(const Exit status) { return status == SUCCESS || status == STILL_FLIPPED; }
+
 struct Failure : public std::runtime_error
 {
   Failure(Exit exit, const std::string& message) : std::runtime_error(message), status(exit) { }

@@ -357,7 +357,7 @@ struct Remesh_outcome
   {
     nlohmann::json result = {{"written", is_written},
                              {"status", to_string(report.status)},
-                             {"message", message.empty() ? report.message : message},
+                             {"message", is_written ? report.message : message},
                              {"input", json_of(repairs)},
                              {"number_of_forced_quads", report.number_of_forced_quads},
                              {"released_features", json_of(report.released_features)},
@@ -440,6 +440,6 @@ void remesh(const Arguments& arguments)
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())
-      write_json(options.report, outcome.json(status == SUCCESS || status == STILL_FLIPPED, message));
+      write_json(options.report, outcome.json(is_written(status), message));
   });
 }

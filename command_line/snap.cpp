@@ -146,6 +146,6 @@ void snap(const Arguments& arguments)
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())
-      write_report(options.report, summary, status == SUCCESS || status == STILL_FLIPPED, message);
+      write_report(options.report, summary, is_written(status), message);
   });
 }

@@ -331,7 +331,7 @@ void snap_volume(const Arguments& arguments)
       throw Failure(STILL_FLIPPED, input + ": " + with_options(report.message));
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
-    json["exact"] = status == SUCCESS || status == STILL_FLIPPED;
+    json["exact"] = is_written(status);
     json["message"] = message;
     if(!report_file.empty())
       write_json(report_file, json);

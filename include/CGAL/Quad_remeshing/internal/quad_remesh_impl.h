@@ -280,7 +280,6 @@ private:
     if(m_choices.empty())
       return;
     const State first = m_choices.front();
-    m_jacobian_of_fewest = 1;
     shape_choice(first,
                  [&](const Feature_lines& lines, Quad_smoother& smoother)
                  { shape(lines, smoother, rounds_to_choose); },
