@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <random>
 #include <string>
 #include <utility>
@@ -221,6 +222,40 @@ inline void test_far_vertex()
       for(const auto h : mesh.halfedges())
         CHECK_IN(context, mesh.target(h) == v || uv[h] == before[std::size_t(h)]);
     }
+}
+
+// A vertex and its neighbors inside, all at wrong places.
+inline void test_far_vertices()
+{
+  std::size_t number = 0;
+  for(unsigned int seed = 1; seed <= 20; ++seed)
+    for(const double size : { 0.1, 10., 1e6 }) {
+      const std::string context =
+        "vertices far away, by " + std::to_string(size) + ", seed " + std::to_string(seed);
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<double> places(-size, size);
+      Mesh mesh = test_meshes::make_mesh<Kernel>(test_meshes::disc(12, 12), 1, 0.25);
+      const auto uv = test_meshes::uv_map(mesh);
+      const auto is_inside = [&](auto w) { return !mesh.is_border(w); };
+      std::vector<Mesh::Vertex_index> inside;
+      std::copy_if(mesh.vertices().begin(), mesh.vertices().end(), std::back_inserter(inside),
+                   is_inside);
+      const auto v = inside[random() % inside.size()];
+      std::vector<Mesh::Vertex_index> wrong(1, v);
+      for(const auto w : CGAL::vertices_around_target(v, mesh))
+        if(is_inside(w))
+          wrong.push_back(w);
+      for(const auto w : wrong) {
+        const Kernel::Point_2 place(places(random), places(random));
+        for(const auto h : CGAL::halfedges_around_target(w, mesh))
+          uv[h] = place;
+      }
+      number += are_all_positive(signs(mesh, uv)) ? 0 : 1;
+      const auto report = snap(mesh, uv, SS::parameters::default_values(),
+                               exact_check::No_edge_aligned(), context, true);
+      CHECK_IN(context + ": " + report.message, are_all_positive(signs(mesh, uv)));
+    }
+  CHECK(number > 50);
 }
 
 // The search ends where the caller wants it to, and says so.
@@ -444,6 +479,7 @@ inline void test_flips()
   test_flips_near_origin();
   test_degenerate_face();
   test_far_vertex();
+  test_far_vertices();
   test_bound_of_search();
   test_face_without_area();
   test_flips_at_nodes();

@@ -50,7 +50,9 @@ leave no area, whatever the coordinates are, is not searched for.
 enum class Flip_repair
 {
   NONE,    ///< Flips of the input stay.
-  NEAR_BY, ///< Single vertices move, and a quadratic program looks for solutions near by.
+  /// Single vertices move, those that no constraint concerns are put in the middle of their
+  /// neighbors, and a quadratic program looks for solutions near by.
+  NEAR_BY,
   UNTANGLE ///< The same; where flips remain, the map around them is changed as much as it takes.
 };
 

@@ -215,57 +215,7 @@ private:
       if(apply_shortest(plans, margin, true, reach, state) ||
          (target_face.was_positive && apply_shortest(plans, margin, false, reach, state)))
         return true;
-    return !target_face.was_positive &&
-           std::any_of(target_face.points.begin(), target_face.points.end(),
-                       [&](const Point_index p) { return bring_back(p, target, state); });
-  }
-
-  // A free point so far from its ring that displacements are not exact, as after one wrong number
-  // in a file, starts in the middle of the ring.
-  bool bring_back(const Point_index p, const Face_index target, Uv_state& state) const
-  {
-    constexpr double too_far = 1024; // times the size of the ring
-    if(!m_points.is_free(p))
-      return false;
-    const Uv before = m_points.uv(state, p);
-    Uv low, high;
-    find_ring_box(p, state, low, high);
-    const Uv middle{{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2}};
-    const double size = (std::max)(high[0] - low[0], high[1] - low[1]);
-    const double distance =
-      (std::max)(std::abs(before[0] - middle[0]), std::abs(before[1] - middle[1]));
-    if(!(distance > too_far * size))
-      return false;
-    m_points.set_uv(state, p, {{rounded_to(m_format, middle[0]), rounded_to(m_format, middle[1])}});
-    const double largest = (std::max)({std::abs(low[0]), std::abs(high[0]),
-                                       std::abs(low[1]), std::abs(high[1])});
-    const double unit = Grid::finest(m_format, largest).step();
-    std::vector<Plan> plans{{find_vertex_move(m_points, p), unit, true, {}, {}}};
-    if(plans[0].move.is_possible() && collect_ring(target, state, plans[0])) {
-      for(Ring_face& f : plans[0].ring)
-        f.wanted = (size / unit) * (size / unit) / 16; // the input tells nothing
-      if(std::any_of(area_margins.begin(), area_margins.end(), [&](const double margin) {
-           return apply_shortest(plans, margin, true, infinity, state);
-         }))
-        return true;
-    }
-    m_points.set_uv(state, p, before);
     return false;
-  }
-
-  // The box of the neighbors in the faces around a point.
-  void find_ring_box(const Point_index p, const Uv_state& state, Uv& low, Uv& high) const
-  {
-    low = {{infinity, infinity}};
-    high = {{-infinity, -infinity}};
-    for(const Face_corner& corner : m_points.stars().star(p)) {
-      const Uv_triangle t = m_points.triangle(state, m_points.domain_face(corner.face));
-      for(std::size_t i = 1; i < 3; ++i)
-        for(std::size_t c = 0; c < 2; ++c) {
-          low[c] = (std::min)(low[c], t[(corner.position + i) % 3][c]);
-          high[c] = (std::max)(high[c], t[(corner.position + i) % 3][c]);
-        }
-    }
   }
 
   // Returns false if a face has several corners that move.

@@ -18,6 +18,7 @@
 // The step after the exact solution ([MC19] Sec. 5.4): finds the faces that lost their positive
 // orientation, exactly, and gives it back to them where an exact solution near by has it.
 
+#include <CGAL/Seamless_snapping/internal/orientation/Free_point_relaxation.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Kernel_moves.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Orientation_program.h>
@@ -54,8 +55,8 @@ public:
                      Point_stars& stars, const bool repair_flips, std::size_t& iterations,
                      const Untangle step = nullptr)
     : m_solver(solver), m_stars(stars), m_points(complex, solver, stars),
-      m_move(m_points, solver.format()), m_repair_flips(repair_flips), m_untangle(step),
-      m_iterations(iterations)
+      m_move(m_points, solver.format()), m_relaxation(m_points, solver.format()),
+      m_repair_flips(repair_flips), m_untangle(step), m_iterations(iterations)
   { }
 
   // Repairs the coordinates of an exact solution, and keeps them exact.
@@ -137,6 +138,7 @@ private:
       m_move.repair(m_watched.not_positive(m_points, state, true), reach, result.state);
     result.flips = m_move.repair(flips(result.state), std::numeric_limits<double>::infinity(),
                                  result.state);
+    result.flips = m_relaxation.repair(result.flips, result.state);
     // others may have saved some
     for(std::vector<Face_index>* faces : {&result.lost, &result.flips})
       faces->erase(std::remove_if(faces->begin(), faces->end(), [&](const Face_index f) {
@@ -274,6 +276,7 @@ private:
   Movable_points<Group> m_points;
   Watched_faces m_watched;
   Kernel_moves<Group> m_move;
+  Free_point_relaxation<Group> m_relaxation;
   bool m_repair_flips;
   Untangle m_untangle;
   std::size_t& m_iterations;

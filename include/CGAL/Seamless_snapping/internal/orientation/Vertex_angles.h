@@ -72,6 +72,14 @@ public:
                        [&](const Point_index p) { return is_kept(state, p); });
   }
 
+  // Whether those of its sectors' vertices have them: all cones but some of 720 degrees are there.
+  bool are_kept_by_sectors(const Uv_state& state, const Face_index f) const
+  {
+    const auto points = m_points.domain_face(f).points;
+    return std::all_of(points.begin(), points.end(), [&](const Point_index p)
+                       { return !m_points.is_sector(p) || is_kept(state, p); });
+  }
+
   // Vertices of these faces where they are not.
   std::size_t number_of_changed_vertices(const Uv_state& state,
                                          const std::vector<Face_index>& faces) const
