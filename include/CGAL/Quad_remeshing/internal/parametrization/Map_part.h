@@ -24,6 +24,7 @@
 #include <CGAL/Seamless_snapping/internal/complex/Free_coordinates.h>
 #include <CGAL/Seamless_snapping/internal/untangling/Constrained_triangles.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -83,6 +84,40 @@ public:
   }
 
   const Constrained_triangles& map() const { return m_map; }
+
+  // The changes of its unknowns that minimize the energy of `parametrization::solve_poisson()` in
+  // the faces of the part.
+  // \param weights per face of the surface
+  // \param system with the coefficients 0
+  template <typename Difference>
+  std::vector<double> solve_poisson(const std::vector<std::size_t>& faces,
+                                    const Difference& wanted_difference,
+                                    const std::vector<double>& weights,
+                                    Sparse_system& system) const
+  {
+    std::vector<double> right_hand_side(system.dimension(), 0);
+    for(std::size_t t = 0; t < faces.size(); ++t)
+      for(std::size_t k = 0; k < 3; ++k) {
+        const Corner_index h = Corner_index(3 * faces[t] + k);
+        const std::size_t p = m_map.triangles[t].points[(k + 2) % 3];
+        const std::size_t q = m_map.triangles[t].points[k];
+        const double weight = cotangent_weight(m_surface, weights, h);
+        const std::array<double, 2> wanted = wanted_difference(h);
+        for(std::size_t c = 0; c < 2; ++c) {
+          const double left = wanted[c] - (m_map.start[q][c] - m_map.start[p][c]);
+          Sparse_row row = m_map.rows[q][c];
+          for(const auto& [i, a] : m_map.rows[p][c])
+            row.emplace_back(i, -a);
+          for(const auto& [i, a] : row) {
+            right_hand_side[i] += weight * a * left;
+            for(const auto& [j, b] : row)
+              system.add(i, j, weight * a * b);
+          }
+        }
+      }
+    system.factor();
+    return system.solve(right_hand_side);
+  }
 
   // Adds what the unknowns of the part change by to those of the whole.
   void add(const std::vector<double>& changes, std::vector<double>& unknowns) const

@@ -48,15 +48,15 @@ inline void tell_flips(const std::size_t number)
 // Solves, stiffens and solves again; returns the free unknowns of the solution with the fewest
 // flipped faces. Where flips can't be avoided the weights grow until the system can't be solved any
 // more, which ends it. A round is as much work for one flip as for many: where they are few on a
-// large surface, `untangle(unknowns)` may end it, and returns whether it left none.
+// large surface, `mend(unknowns)` changes what is around them, and returns how many it left.
 // \param system with the coefficients 0
-template <typename Untangle, typename Report>
+template <typename Mend, typename Report>
 std::vector<double>
 solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>& angles,
                       const Surface_complex& complex,
                       const Free_coordinates<Quarter_turns>& coordinates,
                       const Coordinate_table& table, const long number_of_rounds,
-                      const Untangle& untangle, Sparse_system& system, Report& report)
+                      const Mend& mend, Sparse_system& system, Report& report)
 {
   constexpr std::size_t faces_of_a_flip = 2000;
   const std::size_t few_flips =
@@ -86,10 +86,13 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
       best.swap(unknowns);
       report.number_of_flipped_faces = flips;
       unknowns = best;
-      if(flips > 0 && flips <= few_flips && untangle(unknowns))
-        return unknowns;
+      const std::size_t left = flips > 0 && flips <= few_flips ? mend(unknowns) : flips;
+      if(left < flips) {
+        best.swap(unknowns);
+        report.number_of_flipped_faces = left;
+      }
     }
-    if(round == number_of_rounds || flips == 0)
+    if(round == number_of_rounds || report.number_of_flipped_faces == 0)
       return best;
   }
 }
@@ -191,21 +194,21 @@ public:
     for(std::size_t round = 0; ; ++round) {
       make_complex_of_faces_with_area();
       const Coordinates reached = m_uv; // in the last round, before attempts close by
-      bool is_untangled = false;
       const double multiplications_before = m_solver.multiplications;
       std::optional<Sparse_system> system(std::in_place, m_rows->number_of_unknowns(), m_solver);
       std::vector<double> unknowns = solve_with_stiffening(
         m_surface, m_angles, *m_complex, *m_rows, *m_table,
         round == 0 ? m_options.number_of_stiffening_rounds : 0,
         [&](std::vector<double>& u) {
-          is_untangled = m_options.may_release && m_iterations_left > 0 &&
-                         untangle(u, Untangling::CLOSE_BY).empty();
-          return is_untangled;
+          stiffen_near_flips(u);
+          if(m_options.may_release && m_iterations_left > 0)
+            untangle(u, Untangling::CLOSE_BY);
+          return number_of_flips(m_surface, *m_complex, m_rows->evaluate(u));
         },
         *system, m_report);
       if(round == 0)
         m_report.number_of_flips_before_untangling = m_report.number_of_flipped_faces;
-      else if(!is_untangled)
+      else if(m_report.number_of_flipped_faces > 0)
         keep_better(reached, *system, unknowns);
       if(round > 0)
         spend(cost_of_complex() + (m_solver.multiplications - multiplications_before) /
@@ -247,6 +250,44 @@ private:
     m_iterations_left -= (std::min)(iterations, m_iterations_left);
     m_iterations += iterations;
     m_report.number_of_untangling_iterations = std::size_t(std::ceil(m_iterations));
+  }
+
+  // Solves with stiffening for what is around the flips that are left, and holds the rest: twice as
+  // far around each time that they have not become fewer. Leaves the fewest.
+  void stiffen_near_flips(std::vector<double>& unknowns)
+  {
+    constexpr int most_rounds = 12;
+    std::size_t edges = 20;
+    const auto wanted = [&](const Corner_index h)
+    { return wanted_difference(m_surface, m_angles, h); };
+    std::vector<double> weights(m_surface.number_of_faces(), 1);
+    Coordinates best = m_rows->evaluate(unknowns), last = best;
+    std::size_t fewest = number_of_flips(m_surface, *m_complex, best);
+    for(int round = 0; round < most_rounds && fewest > 0; ++round) {
+      stiffen(m_surface, *m_complex, last, weights);
+      const std::vector<std::size_t> faces =
+        faces_near_flips(m_surface, *m_complex, best, edges);
+      if(2 * faces.size() > std::size_t(m_surface.number_of_faces()))
+        return;
+      const Map_part part(m_surface, m_index, *m_complex, *m_table, unknowns.size(), best, faces);
+      std::vector<double> next = unknowns;
+      try {
+        Timed_solver solver(m_report.seconds_in_solvers, m_solver.make);
+        Sparse_system system(part.map().number_of_unknowns, solver);
+        part.add(part.solve_poisson(faces, wanted, weights, system), next);
+      } catch(const Refusal&) {
+        return; // as over all faces
+      }
+      last = m_rows->evaluate(next);
+      const std::size_t flips = number_of_flips(m_surface, *m_complex, last);
+      if(flips < fewest) {
+        fewest = flips;
+        best = last;
+        unknowns.swap(next);
+      } else {
+        edges *= 2;
+      }
+    }
   }
 
   // What it takes to make it, or to make a system of it.
