@@ -279,18 +279,33 @@ private:
                        : "") + words_for_closed_parts();
   }
 
-  // Six quads are the fewest of a closed mesh.
+  // Six quads are the fewest of a closed mesh, and handles take more.
   std::string words_for_closed_parts() const
   {
+    constexpr double of_handle = 9; // about
     const Integer_mesh& input = m_coarse->input;
+    const auto part = [&](const Corner_index h) { return input.part[std::size_t(h / 3)]; };
     std::set<std::int32_t> closed(input.part.begin(), input.part.end());
     for(Corner_index h = 0; h < input.number_of_halfedges(); ++h)
       if(input.is_border_edge(h))
-        closed.erase(input.part[std::size_t(h / 3)]);
-    return m_options.needs_face_graph && 6 * double(closed.size()) > m_options.number_of_quads
-             ? "; " + counted(closed.size(), "closed part") +
-                 (closed.size() == 1 ? " takes at least 6 quads" : " take at least 6 quads each")
-             : "";
+        closed.erase(part(h));
+    std::set<std::size_t> vertices;
+    std::size_t number_of_halfedges = 0;
+    for(Corner_index h = 0; h < input.number_of_halfedges(); ++h)
+      if(closed.count(part(h)) > 0) {
+        vertices.insert(input.vertex(h));
+        ++number_of_halfedges;
+      }
+    // by the Euler characteristic
+    const std::size_t handles = (2 * closed.size() + number_of_halfedges / 6 - vertices.size()) / 2;
+    const double fewest = 6 * double(closed.size());
+    if(!m_options.needs_face_graph ||
+       (fewest <= m_options.number_of_quads &&
+        (handles == 0 || 2 * (fewest + of_handle * double(handles)) <= m_options.number_of_quads)))
+      return "";
+    return "; " + counted(closed.size(), "closed part") +
+           (closed.size() == 1 ? " takes at least 6 quads" : " take at least 6 quads each") +
+           (handles > 0 ? ", and more for " + counted(handles, "handle") : "");
   }
 
   // Where more than half of the quads are forced.
