@@ -13,14 +13,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <ostream>
 #include <vector>
 
 // The scaled Jacobians of the quads among the faces, as of a remeshing.
 inline CGAL::Quad_remeshing::Remeshing_report measure_jacobians(const Mesh& mesh)
 {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   CGAL::Quad_remeshing::Remeshing_report result;
-  result.least_scaled_jacobian = 1;
+  result.least_scaled_jacobian = result.largest_aspect_ratio = 1;
   double sum = 0, number = 0;
   for(const auto f : mesh.faces()) {
     if(mesh.degree(f) != 4)
@@ -29,14 +31,19 @@ inline CGAL::Quad_remeshing::Remeshing_report measure_jacobians(const Mesh& mesh
     for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
       p.push_back(mesh.point(v));
     const Kernel::Vector_3 normal = CGAL::cross_product(p[2] - p[0], p[3] - p[1]);
-    double least = 1;
+    double least = 1, shortest = infinity, longest = 0; // squares of lengths
     for(std::size_t i = 0; i < 4; ++i) {
       const Kernel::Vector_3 a = p[(i + 1) % 4] - p[i], b = p[(i + 3) % 4] - p[i];
+      shortest = (std::min)(shortest, a.squared_length());
+      longest = (std::max)(longest, a.squared_length());
       const double scale =
         std::sqrt(a.squared_length() * b.squared_length() * normal.squared_length());
       least = (std::min)(least, scale > 0 ? CGAL::cross_product(a, b) * normal / scale : -1);
     }
     result.least_scaled_jacobian = (std::min)(result.least_scaled_jacobian, least);
+    result.largest_aspect_ratio = (std::max)(result.largest_aspect_ratio,
+                                             shortest > 0 ? std::sqrt(longest / shortest)
+                                                          : infinity);
     result.number_of_thin_quads += least < 0.1 ? 1 : 0;
     sum += least;
     ++number;
@@ -50,7 +57,8 @@ inline void write_jacobians(std::ostream& os,
 {
   os << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
      << report.mean_scaled_jacobian << "; less than 0.1: "
-     << counted(report.number_of_thin_quads, "quad") << "\n";
+     << counted(report.number_of_thin_quads, "quad") << ". Longest side of a quad over its shortest: "
+     << "at most " << report.largest_aspect_ratio << "\n";
 }
 
 // \param diagonal that of the input
@@ -68,7 +76,9 @@ inline nlohmann::json json_of_jacobians(const CGAL::Quad_remeshing::Remeshing_re
 {
   return {{"least_scaled_jacobian", report.least_scaled_jacobian},
           {"mean_scaled_jacobian", report.mean_scaled_jacobian},
-          {"number_of_thin_quads", report.number_of_thin_quads}};
+          {"number_of_thin_quads", report.number_of_thin_quads},
+          {"largest_aspect_ratio", if_known(std::isfinite(report.largest_aspect_ratio),
+                                            report.largest_aspect_ratio)}};
 }
 
 inline nlohmann::json json_of_shape(const CGAL::Quad_remeshing::Remeshing_report& report,

@@ -210,9 +210,11 @@ private:
     const std::size_t number = m_run.quantization.number_of_quads;
     if(fewest < number && double(number) > 1.1 * m_run.options.quantization.number_of_quads)
       m_run.report.message =
-        counted(fewest, "quad") + " were found, too, but in a worse shape or farther from the "
-        "surface, with a mean scaled Jacobian of " + short_number(m_jacobian_of_fewest) +
-        " at first; minimize_number_of_quads(true) makes as few as are found";
+        counted(fewest, "quad") + " were found, too, " +
+        (m_jacobian_of_fewest <= m_run.report.mean_scaled_jacobian
+           ? "but in a worse shape or farther from the surface, with a mean scaled Jacobian of " +
+             short_number(m_jacobian_of_fewest) + " at first" : "farther from the surface") +
+        "; minimize_number_of_quads(true) makes as few as are found";
     return true;
   }
 
@@ -375,6 +377,7 @@ private:
     const Quad_smoother::Shape shape = smoother.measure_shape();
     m_run.report.least_scaled_jacobian = shape.least_scaled_jacobian;
     m_run.report.mean_scaled_jacobian = shape.mean_scaled_jacobian;
+    m_run.report.largest_aspect_ratio = shape.largest_aspect_ratio;
     m_run.timer.finish("measurement");
     return true;
   }

@@ -65,6 +65,9 @@ struct Remeshing_report
   /// normal and that of the quad, which is across its diagonals; 1 is best
   double least_scaled_jacobian = 0;
   double mean_scaled_jacobian = 0; ///< the mean over the quads
+  /// the longest side of a quad over its shortest one, of the quad where this is largest: infinite
+  /// where a side has no length
+  double largest_aspect_ratio = 0;
   /// quads with a scaled Jacobian of less than 0.1, inverted ones and ones with three corners on a
   /// line among them
   std::size_t number_of_thin_quads = 0;

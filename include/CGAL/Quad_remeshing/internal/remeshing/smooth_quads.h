@@ -32,6 +32,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -101,6 +102,16 @@ inline double scaled_jacobian(const Quad_in_space& q, const Space_vector& normal
 
 // As seen along its own normal.
 inline double scaled_jacobian(const Quad_in_space& q) { return scaled_jacobian(q, quad_normal(q)); }
+
+// The longest side over the shortest one.
+inline double aspect_ratio(const Quad_in_space& q)
+{
+  std::array<double, 4> sides;
+  for(std::size_t i = 0; i < 4; ++i)
+    sides[i] = norm(vector_to(q[i], q[(i + 1) % 4]));
+  const auto [shortest, longest] = std::minmax_element(sides.begin(), sides.end());
+  return *shortest > 0 ? *longest / *shortest : std::numeric_limits<double>::infinity();
+}
 
 // Where a quad is to face: where the surface does beside it. One that does not face there, as on
 // sharp edges, is not to turn from where it does; one without area faces nowhere.
@@ -179,7 +190,7 @@ public:
 
   struct Shape
   {
-    double least_scaled_jacobian = 1, mean_scaled_jacobian = 0;
+    double least_scaled_jacobian = 1, mean_scaled_jacobian = 0, largest_aspect_ratio = 1;
   };
 
   Shape measure_shape() const
@@ -187,8 +198,10 @@ public:
     Shape result;
     double sum = 0;
     for(const Face f : faces(m_quads)) {
-      const double value = scaled_jacobian(quad(f));
+      const Quad_in_space q = quad(f);
+      const double value = scaled_jacobian(q);
       result.least_scaled_jacobian = (std::min)(result.least_scaled_jacobian, value);
+      result.largest_aspect_ratio = (std::max)(result.largest_aspect_ratio, aspect_ratio(q));
       sum += value;
     }
     result.mean_scaled_jacobian = sum / static_cast<double>(faces(m_quads).size());
