@@ -133,8 +133,9 @@ std::string to_text(const Misfits& misfits)
   return std::to_string(misfits.number_of_misfits) + " of "
          + std::to_string(misfits.number_of_cut_edges) + " cut edges don't fit"
          + (misfits.looks_like_atlas()
-              ? ": this looks like a texture atlas, whose charts are laid out independently. Only "
-                "charts that are related by rotations by multiples of 90 degrees can be made exact"
+              ? ": this looks like a texture atlas, whose charts are laid out independently, and a "
+                "larger tolerance does not help. Only charts that are related by rotations by "
+                "multiples of 90 degrees can be made exact; 'seamless parametrize' computes others"
               : "");
 }
 

@@ -66,7 +66,9 @@ void Seam_options::add_repair_to(Options& options)
 
 SS::Flip_repair Seam_options::flip_repair() const
 {
-  return repair_flips ? SS::Flip_repair::UNTANGLE : SS::Flip_repair::NONE;
+  return repair_flips            ? SS::Flip_repair::UNTANGLE
+         : repairs_flips_near_by ? SS::Flip_repair::NEAR_BY
+                                 : SS::Flip_repair::NONE;
 }
 
 void Seam_options::check(const Options& options)

@@ -17,7 +17,7 @@ struct Seam_options
   Reading_options reading;
   bool align_border = false;
   bool features = false;
-  bool repair_flips = false;
+  bool repair_flips = false, repairs_flips_near_by = false; // the second one is no option
   int untangling_iterations = 400;
   double tolerance = 1e-4;
   bool has_tolerance = false; // given on the command line

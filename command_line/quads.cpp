@@ -98,6 +98,8 @@ struct Quad_options
   }
 };
 
+const std::string other_coordinates = "; 'seamless parametrize' computes others";
+
 // The area in the domain becomes the number of quads. It is known before the seams are, whose refusal
 // users are to see.
 double scale_for_number(const Model& model, const Quad_options& options)
@@ -106,8 +108,8 @@ double scale_for_number(const Model& model, const Quad_options& options)
     return options.scale;
   const auto [area, exponent] = area_in_domain(model);
   if(!(area > 0))
-    throw Failure(NOT_SOLVED, options.input + ": the coordinates enclose no area; 'seamless "
-                                              "parametrize' computes others");
+    throw Failure(NOT_SOLVED, options.input + ": the coordinates enclose no area, or none beside a "
+                                              "much larger coordinate" + other_coordinates);
   return std::ldexp(std::sqrt(options.number / area), -exponent);
 }
 
@@ -134,7 +136,6 @@ struct Result
   QR::Snapping_report repaired; // of what was extracted or quantized
   std::string integers;        // which they are
   std::string why_rounded;     // where there was to be a quantization
-  std::size_t number_of_repaired_flips = 0; // that nobody asked to repair
   std::optional<QR::Remeshing_report> smoothed; // how far, if vertices were smoothed
   double diagonal = 0;                          // of the input
   // where the result is a mesh
@@ -146,50 +147,34 @@ struct Result
   bool is_rounded() const { return snapped.run.number_of_faces > 0; }
 };
 
-// Whether all faces are no higher than the seams are inaccurate: that alone can have flipped them.
-bool are_thin(const Model& model, const std::vector<std::size_t>& faces, const double violation)
-{
-  const Mesh& mesh = model.mesh;
-  return std::all_of(faces.begin(), faces.end(), [&](const std::size_t f) {
-    const Halfedge h = mesh.halfedge(Mesh::Face_index(Mesh::size_type(f)));
-    const Kernel::Point_2 &a = model.uv_map[h], &b = model.uv_map[mesh.next(h)],
-                          &c = model.uv_map[mesh.prev(h)];
-    const double longest = (std::max)({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c),
-                                       CGAL::squared_distance(c, a)});
-    return 2 * std::abs(CGAL::area(a, b, c)) <= violation * std::sqrt(longest);
-  });
-}
-
-// With the border aligned where it is nearly. Flips that are noise are repaired without being asked
-// for, and counted in `result`.
+// With the border aligned where it is nearly. Flips are repaired near by without being asked for.
 QR::Quantization quantize(const Quad_options& options, Model& model, Result& result)
 {
   Seam_options seams = options.seams;
   seams.align_border = true;
   const Alignment alignment(model, seams);
   const Progress progress("quantizing", options.seams.reading.verbose);
-  QR::Snapping_report& snapped = result.repaired;
   const auto snap_and_quantize = [&] {
-    snapped = snap_in_double(model, alignment, seams);
-    check_snapped(snapped, model, seams.tolerance);
+    result.repaired = snap_in_double(model, alignment, seams);
+    check_snapped(result.repaired, model, seams.tolerance);
     return QR::quantize(model.mesh, model.uv_map,
                         QR::parameters::edge_is_constrained_map(model.is_feature)
                           .needs_face_graph(!options.soup)
                           .target_number_of_quads(static_cast<std::size_t>(options.number)));
   };
   const QR::Quantization quantization = snap_and_quantize();
-  const std::vector<std::size_t>& flips = quantization.nonpositive_faces;
-  if(flips.empty() || !are_thin(model, flips, snapped.violation_before))
+  if(quantization.nonpositive_faces.empty() || options.seams.repair_flips)
     return quantization;
-  seams.repair_flips = true;
-  const QR::Quantization other = snap_and_quantize();
-  result.number_of_repaired_flips = flips.size() - other.nonpositive_faces.size();
-  return other;
+  seams.repairs_flips_near_by = true;
+  return snap_and_quantize();
 }
 
 // In the words of the command line.
-std::string flips_message(const Quad_options& options, const std::vector<std::size_t>& faces)
+std::string flips_message(const Quad_options& options, const Model& model,
+                          const std::vector<std::size_t>& faces)
 {
+  if(faces.size() == model.mesh.number_of_faces())
+    return "no face of the integer-grid map has a positive area" + other_coordinates;
   return counted(faces.size(), "face") + " of the integer-grid map" + is_or_are(faces.size()) +
          "flipped or degenerate, the first is face " +
          std::to_string(faces.front()) +
@@ -203,7 +188,7 @@ void check_report(const Quad_options& options, const Model& model, const Result&
   if(report)
     return;
   const bool has_flips = report.status == QR::Outcome::NOT_POSITIVE;
-  std::string why = has_flips ? flips_message(options, report.nonpositive_faces)
+  std::string why = has_flips ? flips_message(options, model, report.nonpositive_faces)
                               : to_string(report.status) + (": " + report.message);
   if(!result.why_rounded.empty())
     why += "; integers at any distance are tried, as " + result.why_rounded;
@@ -398,13 +383,7 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
   os << "\n";
   if(!result.integers.empty())
     os << "integers: " << result.integers << "\n";
-  if(result.number_of_repaired_flips > 0)
-    os << "note: " << counted(result.number_of_repaired_flips, "face")
-       << (result.number_of_repaired_flips == 1 ? ", thinner than the seams are inaccurate, was"
-                                                : ", thinner than the seams are inaccurate, were")
-       << " flipped, and repaired\n";
-  if(result.number_of_repaired_flips == 0)
-    write_flip_repairs(os, result.repaired);
+  write_flip_repairs(os, result.repaired);
   if(result.is_rounded())
     os << "translations, cones, and levels rounded by up to " << result.snapped.largest_rounding
        << " of the side of a cell\n";
