@@ -21,7 +21,6 @@
 #include <set>
 #include <string>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -173,6 +172,7 @@ std::vector<Side> all_sides(const Surface_soup& surface, const std::vector<std::
 {
   const auto name = [&](const std::size_t v) { return names.empty() ? v : names[v]; };
   std::vector<Side> sides;
+  sides.reserve(3 * surface.polygons.size());
   for(std::size_t f = 0; f < surface.polygons.size(); ++f) {
     const Polygon& polygon = surface.polygons[f];
     for(std::size_t k = 0; k < polygon.size(); ++k) {
@@ -192,8 +192,7 @@ bool are_balanced(const Iterator begin, const Iterator end)
          end - begin;
 }
 
-using Faces_by_corners =
-  std::unordered_map<Polygon, std::vector<std::size_t>, boost::hash<Polygon> >;
+using Faces_by_corners = std::map<Polygon, std::vector<std::size_t> >;
 
 // The faces that are there twice, turned either way, where two closed bodies meet. In a piece of
 // which all faces are, the two are no bodies, but the sides of a surface.
@@ -225,15 +224,32 @@ std::vector<char> walls_of_bodies(const Surface_soup& surface, const Faces_by_co
   return result;
 }
 
+// Those that may have the same corners as others: most have another hash.
+Faces_by_corners faces_like_others(const Surface_soup& surface)
+{
+  std::vector<std::pair<std::size_t, std::size_t> > hashes;
+  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
+    hashes.emplace_back(boost::hash<Polygon>()(canonical(surface.polygons[f])), f);
+  std::sort(hashes.begin(), hashes.end());
+  Faces_by_corners result;
+  for(std::size_t i = 0; i < hashes.size(); ++i)
+    if((i > 0 && hashes[i].first == hashes[i - 1].first) ||
+       (i + 1 < hashes.size() && hashes[i].first == hashes[i + 1].first))
+      result[canonical(surface.polygons[hashes[i].second])].push_back(hashes[i].second);
+  return result;
+}
+
 // Keeps the first of the faces that have the same corners, but both faces of a wall.
 void remove_duplicate_faces(Surface_soup& surface, Repairs& repairs)
 {
-  Faces_by_corners by_corners;
-  for(std::size_t f = 0; f < surface.polygons.size(); ++f)
-    by_corners[canonical(surface.polygons[f])].push_back(f);
-  std::vector<char> is_kept = walls_of_bodies(surface, by_corners);
+  const Faces_by_corners by_corners = faces_like_others(surface);
+  if(by_corners.empty())
+    return;
+  std::vector<char> is_kept(surface.polygons.size(), 1);
+  const std::vector<char> is_wall = walls_of_bodies(surface, by_corners);
   for(const auto& [corners, faces] : by_corners)
-    is_kept[faces.front()] = 1;
+    for(const std::size_t f : faces)
+      is_kept[f] = char(f == faces.front() || is_wall[f]);
   std::size_t n = 0;
   for(std::size_t i = 0; i < surface.polygons.size(); ++i)
     if(is_kept[i]) {
@@ -255,6 +271,8 @@ void weld_borders(Surface_soup& surface, Repairs& repairs)
       border.push_back({sorted(surface.places[begin->source], surface.places[begin->target]),
                         begin->source, begin->target, begin->face});
   });
+  if(border.empty())
+    return;
   sort_by_key(border);
   const std::size_t n = surface.places.size();
   boost::disjoint_sets_with_storage<> sets(n);
@@ -314,10 +332,15 @@ std::size_t face_across(const Shared_side& s, const std::size_t face)
 
 Face_trees face_trees(const std::vector<Shared_side>& shared, const std::size_t number_of_faces)
 {
-  std::vector<std::vector<std::size_t> > shared_of(number_of_faces);
-  for(std::size_t s = 0; s < shared.size(); ++s)
+  std::vector<std::size_t> last(number_of_faces + 1, 0), shared_of(2 * shared.size()); // per face
+  for(const Shared_side& s : shared)
+    for(const Side& side : s)
+      ++last[side.face];
+  std::partial_sum(last.begin(), last.end(), last.begin());
+  std::vector<std::size_t> first(last);
+  for(std::size_t s = shared.size(); s-- > 0; )
     for(const Side& side : shared[s])
-      shared_of[side.face].push_back(s);
+      shared_of[--first[side.face]] = s;
   Face_trees result{std::vector<std::size_t>(number_of_faces, Face_trees::none),
                     std::vector<char>(number_of_faces, 0)};
   std::vector<char> is_reached(number_of_faces, 0);
@@ -328,7 +351,8 @@ Face_trees face_trees(const std::vector<Shared_side>& shared, const std::size_t 
     is_reached[start] = 1;
     reached.assign(1, start);
     for(std::size_t i = 0; i < reached.size(); ++i)
-      for(const std::size_t s : shared_of[reached[i]]) {
+      for(std::size_t k = first[reached[i]]; k < last[reached[i]]; ++k) {
+        const std::size_t s = shared_of[k];
         const std::size_t f = face_across(shared[s], reached[i]);
         if(is_reached[f])
           continue;
