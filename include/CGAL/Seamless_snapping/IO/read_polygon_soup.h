@@ -47,7 +47,7 @@ inline std::string format_of_polygons(const std::string_view text)
 {
   if(text.substr(0, 3) == "ply")
     return "ply";
-  if(text.substr(0, 5) == "solid" || has_size_of_binary_STL(text))
+  if(begins_with_solid(text) || has_size_of_binary_STL(text))
     return "stl";
   // OFF files may begin with comments of the same form as those of OBJ files
   return OBJ_scanner(text).next_statement().find("OFF") == text.npos ? "obj" : "off";

@@ -23,6 +23,8 @@
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -103,7 +105,7 @@ inline void add_triangle(const std::array<std::array<double, 3>, 3>& points, con
   soup.polygons.push_back({{n, n + 1, n + 2}, line});
 }
 
-// Only what stands at 'vertex' matters.
+// Only what stands at 'vertex' matters. Some programs write capitals.
 inline Corner_soup<double, void> parse_STL_text(const std::string_view text)
 {
   OBJ_scanner scanner(text);
@@ -111,14 +113,14 @@ inline Corner_soup<double, void> parse_STL_text(const std::string_view text)
   std::array<std::array<double, 3>, 3> points;
   std::size_t n = 0, line = 0;
   for(std::string_view keyword; !(keyword = scanner.next_statement()).empty();) {
-    if(keyword == "outer")
+    if(boost::iequals(keyword, "outer"))
       line = scanner.line();
-    else if(keyword == "endloop") {
+    else if(boost::iequals(keyword, "endloop")) {
       if(n != 3)
         scanner.refuse("the face has " + std::to_string(n) + " corners, but needs 3");
       add_triangle(points, line, soup);
       n = 0;
-    } else if(keyword == "vertex") {
+    } else if(boost::iequals(keyword, "vertex")) {
       const auto point = parse_point(scanner, scanner.next_token());
       if(n == 3)
         scanner.refuse("the face has more than 3 corners");
@@ -162,12 +164,15 @@ inline bool has_size_of_binary_STL(const std::string_view text)
          text.size() == size_of_STL_head + number_of_binary_STL_faces(text) * size_of_STL_face;
 }
 
+inline bool begins_with_solid(const std::string_view text)
+{ return boost::istarts_with(text, "solid"); }
+
 // Some programs begin binary files with "solid", too: these have zeros, or the size that they tell.
 inline Corner_soup<double, void> parse_STL(const std::string_view text)
 {
   const bool is_binary =
     text.size() >= size_of_STL_head &&
-    (text.substr(0, 5) != "solid" || text.find('\0') != text.npos || has_size_of_binary_STL(text));
+    (!begins_with_solid(text) || text.find('\0') != text.npos || has_size_of_binary_STL(text));
   return is_binary ? parse_binary_STL(text) : parse_STL_text(text);
 }
 
