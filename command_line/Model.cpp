@@ -195,7 +195,7 @@ void read_model(const std::string& filename, const Reading_options& options, Mod
   parse(options, model);
 }
 
-std::pair<double, int> area_in_domain(const Model& model)
+std::pair<double, int> area_in_domain(const Model& model, const bool only_positive)
 {
   double largest = 0, area = 0;
   for(const Halfedge h : model.mesh.halfedges())
@@ -208,7 +208,9 @@ std::pair<double, int> area_in_domain(const Model& model)
   };
   for(const auto f : model.mesh.faces()) {
     const Halfedge h = model.mesh.halfedge(f);
-    area += CGAL::area(scaled(h), scaled(model.mesh.next(h)), scaled(model.mesh.prev(h)));
+    const double of_face =
+      CGAL::area(scaled(h), scaled(model.mesh.next(h)), scaled(model.mesh.prev(h)));
+    area += only_positive ? (std::max)(of_face, 0.) : of_face;
   }
   return {area, exponent};
 }

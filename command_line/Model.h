@@ -78,10 +78,11 @@ void read_model(const std::string& filename, const Reading_options& options, Mod
 // The file of another model, read with other options. Throws `Failure`.
 void read_again(const Model& other, const Reading_options& options, Model& model);
 
-// The sum of the areas of all faces, with signs, of the coordinates divided by a power of two near
-// the largest one, so that it is neither 0 nor infinite as they are tiny or huge; and the exponent.
+// The sum of the areas of all faces, with signs, or of those that are positive, of the coordinates
+// divided by a power of two near the largest one, so that it is neither 0 nor infinite as they are
+// tiny or huge; and the exponent.
 // It is not negative in a model that was read.
-std::pair<double, int> area_in_domain(const Model& model);
+std::pair<double, int> area_in_domain(const Model& model, bool only_positive = false);
 
 // What to tell of mirrored maps, of border edges that coincide, of what was welded, and of vertices
 // that were added; empty if there is nothing.

@@ -41,6 +41,13 @@ void write_inverted_quads(std::ostream& os, const std::size_t number,
   os << " of " << filename << "\n";
 }
 
+void check_inverted_quads(const std::size_t number, const std::string& filename)
+{
+  if(number > 0)
+    throw Failure(STILL_FLIPPED, filename + ": written, but " + counted(number, "quad") +
+                                   (number == 1 ? " stays" : " stay") + " inverted");
+}
+
 void write_displacement(std::ostream& os, const std::size_t number, const double largest)
 {
   if(number > 0)

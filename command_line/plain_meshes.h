@@ -19,6 +19,9 @@ struct Quad_soup
 // Throws `Failure` if it is not the name of a file that quads can be written to.
 void check_quad_file(const std::string& filename);
 
+// Throws `Failure` if there are any, after all files were written.
+void check_inverted_quads(std::size_t number, const std::string& filename);
+
 // Warns of quads that are inverted, and names the first, as the file that was written counts them.
 void write_inverted_quads(std::ostream& os, std::size_t number,
                           const std::vector<std::size_t>& first, const std::string& filename);

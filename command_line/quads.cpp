@@ -100,13 +100,13 @@ struct Quad_options
 
 const std::string other_coordinates = "; 'seamless parametrize' computes others";
 
-// The area in the domain becomes the number of quads. It is known before the seams are, whose refusal
-// users are to see.
+// The area in the domain becomes the number of quads, but for that of holes. It is known before the
+// seams are, whose refusal users are to see.
 double scale_for_number(const Model& model, const Quad_options& options)
 {
   if(options.number == 0)
     return options.scale;
-  const auto [area, exponent] = area_in_domain(model);
+  const auto [area, exponent] = area_in_domain(model, options.allow_holes);
   if(!(area > 0))
     throw Failure(NOT_SOLVED, options.input + ": the coordinates enclose no area, or none beside a "
                                               "much larger coordinate" + other_coordinates);
@@ -188,11 +188,12 @@ void check_report(const Quad_options& options, const Model& model, const Result&
   if(report)
     return;
   const bool has_flips = report.status == QR::Outcome::NOT_POSITIVE;
-  std::string why = has_flips ? flips_message(options, model, report.nonpositive_faces)
-                              : to_string(report.status) + (": " + report.message);
+  std::string why =
+    in_words_of_user(has_flips ? flips_message(options, model, report.nonpositive_faces)
+                               : to_string(report.status) + (": " + report.message), model);
   if(!result.why_rounded.empty())
     why += "; integers at any distance are tried, as " + result.why_rounded;
-  throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(why, model));
+  throw Failure(NOT_SOLVED, options.input + ": " + why);
 }
 
 // `input` is the mesh and its map, or a quantization and the mesh.
@@ -478,9 +479,11 @@ void quads(const Arguments& arguments)
     }
     result.patches = write_patches(result.mesh, result.is_feature, options.patches);
     write_summary(os, options, result);
+    if(!options.soup) // which is asked for to see them
+      check_inverted_quads(result.report.number_of_inverted_quads, options.output);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())
-      write_json(options.report, json_of(result, status == SUCCESS, message));
+      write_json(options.report, json_of(result, is_written(status), message));
   });
 }

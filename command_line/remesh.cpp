@@ -329,8 +329,8 @@ struct Remesh_outcome
     write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
     if(report.number_of_released_edges > 0)
       os << "not kept, as faces would be flipped, or quads inverted or thin: "
-         << counted(report.number_of_released_edges, "feature edge") << ", of length "
-         << report.length_of_released_edges << " in sum\n";
+         << counted(report.number_of_released_edges, "feature edge")
+         << ", or parts of edges, of length " << report.length_of_released_edges << " in sum\n";
     ::write_summary(os, patches);
   }
 
@@ -404,6 +404,7 @@ void remesh(const Arguments& arguments)
   if(options.leaves_out_noise)
     options.features.length = options.wanted_length(model.mesh);
   outcome.features = options.features.mark(model, os);
+  os << std::flush; // before long work
   if(options.feature_loss > 0 && outcome.features.length == 0)
     os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
           "--features\n";
@@ -434,9 +435,7 @@ void remesh(const Arguments& arguments)
       write_file(options.picture, quad_picture(quads.mesh, quads.is_feature));
     outcome.patches = write_patches(quads.mesh, quads.is_feature, options.patches);
     outcome.write_summary(os, options.output);
-    if(const std::size_t n = report.number_of_inverted_quads; n > 0)
-      throw Failure(STILL_FLIPPED, options.output + ": written, but " + counted(n, "quad") +
-                                     (n == 1 ? " stays" : " stay") + " inverted");
+    check_inverted_quads(report.number_of_inverted_quads, options.output);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())
