@@ -213,7 +213,8 @@ private:
         counted(fewest, "quad") + " were found, too, " +
         (m_jacobian_of_fewest <= m_run.report.mean_scaled_jacobian
            ? "but in a worse shape or farther from the surface, with a mean scaled Jacobian of " +
-             short_number(m_jacobian_of_fewest) + " at first" : "farther from the surface") +
+             short_number(m_jacobian_of_fewest) + " at first"
+           : "but farther from the surface, or with inverted quads") +
         "; minimize_number_of_quads(true) makes as few as are found";
     return true;
   }
