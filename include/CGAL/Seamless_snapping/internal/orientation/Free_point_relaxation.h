@@ -47,8 +47,8 @@ public:
   { }
 
   // Faces that are positive stay so. A point alone comes first, so that no others move if it is the
-  // only one with a wrong place. Returns the faces that remain.
-  std::vector<Face_index> repair(std::vector<Face_index> faces, Uv_state& state) const
+  // only one with a wrong place.
+  void repair(const std::vector<Face_index>& faces, Uv_state& state) const
   {
     std::set<Face_index> tried;
     for(const Face_index f : faces) {
@@ -69,10 +69,6 @@ public:
           break;
       }
     }
-    faces.erase(std::remove_if(faces.begin(), faces.end(),
-                               [&](const Face_index f) { return m_points.is_positive(state, f); }),
-                faces.end());
-    return faces;
   }
 
 private:

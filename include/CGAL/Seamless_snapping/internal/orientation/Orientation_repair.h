@@ -138,7 +138,7 @@ private:
       m_move.repair(m_watched.not_positive(m_points, state, true), reach, result.state);
     result.flips = m_move.repair(flips(result.state), std::numeric_limits<double>::infinity(),
                                  result.state);
-    result.flips = m_relaxation.repair(result.flips, result.state);
+    m_relaxation.repair(result.flips, result.state);
     // others may have saved some
     for(std::vector<Face_index>* faces : {&result.lost, &result.flips})
       faces->erase(std::remove_if(faces->begin(), faces->end(), [&](const Face_index f) {
