@@ -404,10 +404,10 @@ void remesh(const Arguments& arguments)
   if(options.leaves_out_noise)
     options.features.length = options.wanted_length(model.mesh);
   outcome.features = options.features.mark(model, os);
-  os << std::flush; // before long work
   if(options.feature_loss > 0 && outcome.features.length == 0)
     os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
           "--features\n";
+  os << std::flush; // before long work
   Located_quads quads;
   const auto work = [&] {
     const Direction_map directions =

@@ -210,11 +210,11 @@ private:
     const std::size_t number = m_run.quantization.number_of_quads;
     if(fewest < number && double(number) > 1.1 * m_run.options.quantization.number_of_quads)
       m_run.report.message =
-        counted(fewest, "quad") + " were found, too, " +
+        counted(fewest, "quad") + " were found, too, but " +
         (m_jacobian_of_fewest <= m_run.report.mean_scaled_jacobian
-           ? "but in a worse shape or farther from the surface, with a mean scaled Jacobian of " +
+           ? "in a worse shape or farther from the surface, with a mean scaled Jacobian of " +
              short_number(m_jacobian_of_fewest) + " at first"
-           : "but farther from the surface, or with inverted quads") +
+           : "farther from the surface, or with inverted quads") +
         "; minimize_number_of_quads(true) makes as few as are found";
     return true;
   }

@@ -200,10 +200,11 @@ public:
         m_surface, m_angles, *m_complex, *m_rows, *m_table,
         round == 0 ? m_options.number_of_stiffening_rounds : 0,
         [&](std::vector<double>& u) {
-          stiffen_near_flips(u);
-          if(m_options.may_release && m_iterations_left > 0)
-            untangle(u, Untangling::CLOSE_BY);
-          return number_of_flips(m_surface, *m_complex, m_rows->evaluate(u));
+          const std::size_t left = stiffen_near_flips(u);
+          if(left == 0 || !m_options.may_release || m_iterations_left == 0)
+            return left;
+          untangle(u, Untangling::CLOSE_BY);
+          return number_of_flips(m_surface, *m_complex, m_uv);
         },
         *system, m_report);
       if(round == 0)
@@ -253,8 +254,8 @@ private:
   }
 
   // Solves with stiffening for what is around the flips that are left, and holds the rest: twice as
-  // far around each time that they have not become fewer. Leaves the fewest.
-  void stiffen_near_flips(std::vector<double>& unknowns)
+  // far around each time that they have not become fewer. Leaves the fewest, and returns how many.
+  std::size_t stiffen_near_flips(std::vector<double>& unknowns)
   {
     constexpr int most_rounds = 12;
     std::size_t edges = 20;
@@ -268,7 +269,7 @@ private:
       const std::vector<std::size_t> faces =
         faces_near_flips(m_surface, *m_complex, best, edges);
       if(2 * faces.size() > std::size_t(m_surface.number_of_faces()))
-        return;
+        return fewest;
       const Map_part part(m_surface, m_index, *m_complex, *m_table, unknowns.size(), best, faces);
       std::vector<double> next = unknowns;
       try {
@@ -276,7 +277,7 @@ private:
         Sparse_system system(part.map().number_of_unknowns, solver);
         part.add(part.solve_poisson(faces, wanted, weights, system), next);
       } catch(const Refusal&) {
-        return; // as over all faces
+        return fewest; // as over all faces
       }
       last = m_rows->evaluate(next);
       const std::size_t flips = number_of_flips(m_surface, *m_complex, last);
@@ -288,6 +289,7 @@ private:
         edges *= 2;
       }
     }
+    return fewest;
   }
 
   // What it takes to make it, or to make a system of it.
