@@ -21,6 +21,7 @@
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>
+#include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <cmath>
@@ -242,6 +243,29 @@ inline bool has_turn_to_give(const Triangle_surface& surface, const std::vector<
   return has_sectors ? result : !surface.is_border[v] && index[v] < largest_index;
 }
 
+// Hands quarter turns to a sector until it has as many as wanted, from the other ends of edges
+// inside that `can_give(halfedge)`. Returns whether anything was changed.
+template <typename Predicate>
+bool add_turns(const Triangle_surface& surface, const std::vector<double>& angles,
+               const Aligned_sector& sector, const int wanted, const Predicate& can_give,
+               std::vector<int>& index, Matching& matching)
+{
+  bool changed = false;
+  for(int turns = turns_of_sector(surface, angles, matching, sector); turns < wanted; ++turns) {
+    Corner_index best = no_index;
+    for_each_corner(surface, sector, [&](const Corner_index h) {
+      if(!surface.is_aligned[h] &&
+         (best == no_index || matching.deviation[h] < matching.deviation[best]) && can_give(h))
+        best = h;
+    });
+    if(best == no_index)
+      break;
+    hand_on_turn(surface, angles, best, index, matching);
+    changed = true;
+  }
+  return changed;
+}
+
 // The sides of a sector without a quarter turn would be one isocurve, and the faces between them
 // collapse: it gets one from the other end of an edge inside. Returns whether anything was changed.
 inline bool open_collapsed_sectors(const Triangle_surface& surface,
@@ -251,19 +275,47 @@ inline bool open_collapsed_sectors(const Triangle_surface& surface,
   bool changed = false;
   for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
     for_each_sector(surface, v, [&](const Aligned_sector& sector) {
-      for(int turns = turns_of_sector(surface, angles, matching, sector); turns < 1; ++turns) {
-        Corner_index best = no_index;
-        for_each_corner(surface, sector, [&](const Corner_index h) {
-          if(!surface.is_aligned[h] &&
-             (best == no_index || matching.deviation[h] < matching.deviation[best]) &&
-             has_turn_to_give(surface, angles, matching, index, largest_index, h))
-            best = h;
-        });
-        if(best == no_index)
-          return;
-        hand_on_turn(surface, angles, best, index, matching);
-        changed = true;
-      }
+      changed |= add_turns(surface, angles, sector, 1, [&](const Corner_index h) {
+        return has_turn_to_give(surface, angles, matching, index, largest_index, h);
+      }, index, matching);
+    });
+  return changed;
+}
+
+// Where narrow sectors were opened, the field turns by 45 degrees from their faces to the next
+// ones, so that a quarter turn can get to either side: to the feature that is followed from there,
+// which would get a corner then, or inside, where it leaves the lengths of features free. Moves it
+// inside. Returns whether anything was changed.
+inline bool straighten_sides_of_narrow_sectors(const Triangle_surface& surface,
+                                               const std::vector<double>& angles,
+                                               const int largest_index, std::vector<int>& index,
+                                               Matching& matching)
+{
+  bool changed = false;
+  const auto straighten = [&](const std::size_t v, const Flat_face_index f) {
+    for_each_sector(surface, v, [&](const Aligned_sector& sector) {
+      bool is_beside = false;
+      for_each_corner(surface, sector, [&](const Corner_index h)
+                      { is_beside = is_beside || Flat_face_index(surface.face(h)) == f; });
+      const int wanted = int(std::lround(sector.angle / quarter_turn));
+      if(is_beside)
+        changed |= add_turns(surface, angles, sector, wanted, [&](const Corner_index h) {
+          const std::size_t w = surface.source(h);
+          bool is_free = !surface.is_border[w] && index[w] < largest_index;
+          for_each_corner(surface, w, [&](const Corner_index g)
+                          { is_free = is_free && !surface.is_aligned[g]; });
+          return is_free;
+        }, index, matching);
+    });
+  };
+  for(std::size_t v = 0; v < surface.number_of_vertices(); ++v)
+    for_each_sector(surface, v, [&](const Aligned_sector& sector) {
+      if(!(sector.angle < narrow_sector))
+        return;
+      Corner_index last = sector.first;
+      for_each_corner(surface, sector, [&](const Corner_index h) { last = h; });
+      straighten(surface.vertex(surface.next(sector.first)), surface.face(sector.first));
+      straighten(surface.source(last), surface.face(last));
     });
   return changed;
 }

@@ -211,8 +211,10 @@ Parametrization_result parametrize(Triangle_surface& surface,
     const bool is_spread =
       spread_large_indices(surface, angles, options.largest_cone_index, options.may_release,
                            singular.index, matching, result.released);
-    if(open_collapsed_sectors(surface, angles, options.largest_cone_index, singular.index,
-                              matching) || is_spread)
+    const bool is_opened = open_collapsed_sectors(surface, angles, options.largest_cone_index,
+                                                  singular.index, matching);
+    if(straighten_sides_of_narrow_sectors(surface, angles, options.largest_cone_index,
+                                          singular.index, matching) || is_opened || is_spread)
       singular = singularities(surface, topo, matching);
   }
   if(options.least_cone_distance > 0) {
