@@ -11,6 +11,7 @@
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
@@ -214,6 +215,44 @@ void test_frame()
     CHECK_EQUAL(report.cones.size(), std::size_t(24));
     for(const auto& cone : report.cones)
       CHECK_EQUAL(cone.second, 4 - 10); // ten sides meet there
+  }
+}
+
+// Divides faces into four, as they are.
+struct Linear_mask
+{
+  void edge_node(const Halfedge h, Point_3& p) const
+  { p = CGAL::midpoint(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))); }
+  void vertex_node(const Vertex v, Point_3& p) const { p = mesh.point(v); }
+  void border_node(Halfedge, Point_3&, Point_3&) const { }
+
+  const Mesh& mesh;
+};
+
+// Three features meet in narrow sectors at each spike. None of them gets a corner: each side of a
+// spike has a cone inside.
+void test_spikes()
+{
+  for(const double height : {2.5, 3., 5., 10.}) {
+    Mesh mesh = icosphere(0);
+    const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+    for(const auto f : faces) {
+      const Halfedge h = mesh.halfedge(f);
+      const Point_3 center = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                            mesh.point(mesh.target(mesh.next(h))));
+      mesh.point(mesh.target(CGAL::Euler::add_center_vertex(h, mesh))) =
+        CGAL::ORIGIN + height * (center - CGAL::ORIGIN);
+    }
+    CGAL::Subdivision_method_3::PTQ(mesh, Linear_mask{mesh},
+                                    CGAL::parameters::number_of_iterations(2));
+    const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+    CGAL::Polygon_mesh_processing::detect_sharp_edges(mesh, 20, is_feature);
+    const Uv_map uv = new_uv_map(mesh);
+    const Report report = QR::approximate_seamless_parametrization(
+      mesh, uv, parameters::edge_is_constrained_map(is_feature).release_alignment(true));
+    CHECK(report.released_edges.empty());
+    CHECK_EQUAL(report.number_of_flipped_faces, std::size_t(0));
+    CHECK_EQUAL(report.cones.size(), std::size_t(12 + 20 + 60));
   }
 }
 
@@ -1249,6 +1288,7 @@ int main()
   test_generated_meshes();
   test_cube_with_creases();
   test_frame();
+  test_spikes();
   test_meshes_of_all_kinds();
   test_reproducibility();
   test_target_edge_length();
