@@ -75,7 +75,7 @@ struct Remesh_options
   Plain_reading_options reading;
   double number = 10000, maximum_number = 0, edge_length = 0, feature_loss = 0, adaptivity = 1;
   Feature_options features;
-  std::optional<double> curvature;
+  std::optional<double> curvature, border_tolerance;
   bool coarsest = false, leaves_out_noise = false;
 
   // Returns whether there is something to do.
@@ -108,12 +108,16 @@ struct Remesh_options
     options.add("feature-loss", "PART", feature_loss, {0, 1},
                 "the part of the length of these, from 0 to 1, that may be released where they\n"
                 "force quads: those that force most for their length go first (default: 0)");
-    double strength = 0;
+    double strength = 0, tolerance = 0;
     options.add("curvature", "STRENGTH", strength, {0, (std::numeric_limits<double>::max)()},
                 "how strongly to follow the curvature (0: the smoothest field; 0.002, the default\n"
                 "unless sizes vary: where this costs little, along edges and around round parts;\n"
                 "0.1: for more irregular vertices; 1: as much as smoothness where the radius of\n"
                 "curvature is the length of a triangle's edge)");
+    options.add("border-tolerance", "L", tolerance, {0, infinity},
+                "how far straight lines may be from the border that stand in for it, to have\n"
+                "fewer corners: smaller steps are left out (default: half an edge of the quads\n"
+                "that are wanted; 0, for none, where sizes vary and with --coarsest)");
     options.add("field", "FILE", field,
                 "a direction of the quads for each face of IN, as a .rosy or .rawfield\n"
                 "file; where it is 0, the field is smooth, and features go first. Equal sizes\n"
@@ -143,6 +147,8 @@ struct Remesh_options
                        !options.is_given("feature-length");
     if(options.is_given("curvature"))
       curvature = strength;
+    if(options.is_given("border-tolerance"))
+      border_tolerance = tolerance;
     check_quad_file(output);
     if(!sizes.empty() && !options.is_given("number") && !options.is_given("edge-length") &&
        !coarsest)
@@ -249,6 +255,7 @@ QR::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
     QR::parameters::edge_is_constrained_map(model.is_feature)
                    .curvature_alignment(options.curvature).face_direction_map(directions)
                    .curvature_adaptivity(options.adaptivity).vertex_sizing_map(sizes)
+                   .border_tolerance(options.border_tolerance)
                    .symmetry_plane(plane).minimize_number_of_quads(options.coarsest)
                    .verbose(options.reading.verbose).maximum_feature_loss(options.feature_loss)
                    .target_number_of_quads(static_cast<std::size_t>(options.number));
@@ -325,6 +332,9 @@ struct Remesh_outcome
       os << "note: the quads cut off much of the input; more of them"
          << (features.length > 0 ? "" : ", or features, as by --feature-angle,") << " keep it\n";
     write_edges(os);
+    if(report.number_of_corners_left_out > 0)
+      os << "border: " << counted(report.number_of_corners_left_out, "corner")
+         << " left out, of steps that are smaller than quads; --border-tolerance 0 keeps all\n";
     write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
     write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
     if(report.number_of_released_edges > 0)
@@ -380,6 +390,7 @@ struct Remesh_outcome
       {"patches", json_of(patches)},
       {"length_of_features", features.length},
       {"number_of_edges_left_out", features.number_left_out},
+      {"number_of_corners_left_out", report.number_of_corners_left_out},
       {"number_of_released_edges", report.number_of_released_edges},
       {"length_of_released_edges", report.length_of_released_edges}});
     result.update(json_of_shape(report, diagonal));

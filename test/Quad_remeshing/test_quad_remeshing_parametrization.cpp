@@ -231,7 +231,7 @@ struct Linear_mask
 
 // Three features meet in narrow sectors at each spike. None of them gets a corner: each side of a
 // spike has a cone inside.
-void test_spikes()
+void test_spikes_with_features()
 {
   for(const double height : {2.5, 3., 5., 10.}) {
     Mesh mesh = icosphere(0);
@@ -1288,7 +1288,7 @@ int main()
   test_generated_meshes();
   test_cube_with_creases();
   test_frame();
-  test_spikes();
+  test_spikes_with_features();
   test_meshes_of_all_kinds();
   test_reproducibility();
   test_target_edge_length();

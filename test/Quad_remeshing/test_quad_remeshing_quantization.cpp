@@ -2546,6 +2546,79 @@ void test_attempt_without_features()
   CHECK(kept > 0.8 * (length - report.length_of_released_edges)); // not where only a part is kept
 }
 
+// The cells of a grid whose middles are inside of a shape, as two triangles each.
+template <typename Predicate>
+Mesh cells_inside(const int n, const Predicate& is_inside)
+{
+  Mesh mesh;
+  std::map<std::pair<int, int>, Vertex> vertices;
+  const auto vertex = [&](const int i, const int j) {
+    const auto [at, is_new] = vertices.insert({{i, j}, Vertex()});
+    if(is_new)
+      at->second = mesh.add_vertex(Point_3(double(i) / n, double(j) / n, 0));
+    return at->second;
+  };
+  for(int i = -n; i < n; ++i)
+    for(int j = -n; j < n; ++j)
+      if(is_inside((i + 0.5) / n, (j + 0.5) / n)) {
+        const Vertex a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1),
+                     d = vertex(i, j + 1);
+        mesh.add_face(a, b, c);
+        mesh.add_face(a, c, d);
+      }
+  return mesh;
+}
+
+// A border in the steps of a grid has corners at each of them. What is smaller than quads is left
+// out; the vertices of the quads lie on the steps all the same.
+void test_border_in_steps()
+{
+  const auto check = [&](const std::string& name, const Mesh& mesh, const std::size_t wanted) {
+    CHECK(CGAL::is_valid_polygon_mesh(mesh));
+    const auto np = parameters::target_number_of_quads(wanted);
+    Mesh quads;
+    const auto report = QR::quad_remesh(mesh, quads, np);
+    const auto with_all =
+      QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.border_tolerance(0.));
+    std::cout << name << ": " << report.number_of_corners_left_out << " corners left out, "
+              << report.number_of_quads << " quads, mean scaled Jacobian "
+              << report.mean_scaled_jacobian << "; with all " << with_all.number_of_quads
+              << " quads, " << with_all.mean_scaled_jacobian << std::endl;
+    CHECK_IN(report.message, report && report.number_of_inverted_quads == 0);
+    CHECK(report.number_of_corners_left_out > 20);
+    CHECK(with_all && with_all.number_of_corners_left_out == 0);
+    CHECK(report.mean_scaled_jacobian > 0.9);
+    CHECK(report.number_of_quads < wanted + wanted / 5);
+    std::vector<Kernel::Segment_3> border;
+    for(const auto e : mesh.edges())
+      if(mesh.is_border(e))
+        border.emplace_back(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1)));
+    for(const auto v : quads.vertices())
+      if(quads.is_border(v))
+        CHECK(std::any_of(border.begin(), border.end(), [&](const Kernel::Segment_3& s)
+                          { return CGAL::squared_distance(quads.point(v), s) < 1e-20; }));
+  };
+  check("disc in steps", cells_inside(40, [](const double x, const double y)
+                                      { return std::hypot(x, y) < 0.9; }), 300);
+  for(const double angle : {0.2, 0.5, 0.7})
+    check("turned square in steps", cells_inside(40, [&](const double x, const double y) {
+      return std::abs(std::cos(angle) * x + std::sin(angle) * y) < 0.7 &&
+             std::abs(std::cos(angle) * y - std::sin(angle) * x) < 0.7;
+    }), 300);
+
+  // What has no steps stays: the same quads.
+  const Mesh square = cells_inside(10, [](double, double) { return true; });
+  const auto np = parameters::target_number_of_quads(100);
+  Mesh quads, others;
+  const auto report = QR::quad_remesh(square, quads, np);
+  CHECK_EQUAL(report.number_of_corners_left_out, 0u);
+  QR::quad_remesh(square, others, np.border_tolerance(0.));
+  CHECK(std::equal(quads.points().begin(), quads.points().end(), others.points().begin(),
+                   others.points().end()));
+  CHECK(QR::quad_remesh(square, others, np.border_tolerance(-1.)).status ==
+        QR::Outcome::INVALID_ARGUMENT);
+}
+
 // --- improvement of quads ------------------------------------------------------------------------
 
 void scale(Mesh& quads, const double factor)
@@ -3196,6 +3269,7 @@ int main()
     test_twisted_tubes();
     test_thin_springs();
     test_attempt_without_features();
+  test_border_in_steps();
     test_hopeless_features();
     test_tips();
     test_prisms();

@@ -57,6 +57,7 @@ Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParame
   *quantization.work = Work::of_size(double(num_faces(tmesh)) + quantization.number_of_quads);
   return {quantization, chosen(np, internal_np::curvature_alignment, std::optional<double>()),
           chosen(np, internal_np::curvature_adaptivity, 1.),
+          chosen(np, internal_np::border_tolerance, std::optional<double>()),
           (std::min)(chosen(np, internal_np::number_of_relaxation_steps, std::size_t(5)),
                      most_smoothing_rounds),
           has_single_precision};
@@ -231,7 +232,8 @@ mean scaled Jacobian is less than 0.95, all is made once more with large triangl
 which leave a map no room between features: those longer than four such sides, if they and the long
 ones cover a quarter of the area, and 85 % of the work is left (see below). Of the two results, that
 is taken that is better as above.
-Where no quads are found on refined surfaces, the input is remeshed as it is.
+Where no quads are found on refined surfaces, or ones that are taken to have fewer corners, the
+input is remeshed as it is.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
@@ -326,6 +328,17 @@ in any case takes some seconds on 100,000 faces, and about as long for 10,000 qu
     \cgalParamType{`double`, 0 or at least 1e-9, or a `std::optional` of it}
     \cgalParamDefault{`0.002`, and 100 divided by the number of faces of more than 50,000; `0` where
                       sizes vary, which direct the field then}
+  \cgalParamNEnd
+  \cgalParamNBegin{border_tolerance}
+    \cgalParamDescription{how far straight lines may be from the border that stand in for it, where
+                          they have fewer corners: the border of the quads does not turn at steps
+                          that are smaller, as those of cells along which a height field ends. The
+                          vertices of the quads lie on the border as it is. Vertices at which inner
+                          features end stay, and loops that such lines make less than a triangle.
+                          The report counts the corners that are left out.}
+    \cgalParamType{`double`, not negative, or a `std::optional` of it}
+    \cgalParamDefault{half of the length of the edges that are wanted; `0`, which leaves out none,
+                      where sizes vary or quads are to be few}
   \cgalParamNEnd
   \cgalParamNBegin{curvature_adaptivity}
     \cgalParamDescription{by how much sizes may vary with curvature, as the ratio of the largest to
@@ -474,7 +487,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
 {
   using namespace internal;
   const auto& parameters = strip(np1);
-  const auto make_quads = [&](auto& result, const auto& is_feature, const auto& options) {
+  const auto make_quads = [&](auto& result, const auto& is_feature, auto options) {
     const auto copy = [&] { return surface_to_remesh(tmesh, parameters, mirror_of(parameters)); };
     const Work& work = *options.quantization.work;
     Surface_to_remesh surface = copy();
@@ -485,9 +498,10 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
       if(finer.refine(false) && finer.mesh().number_of_faces() > surface.mesh().number_of_faces())
         report = remesh_again(finer, options, report, result, is_feature);
     }
-    if(report || !is_refined || !work.is_left())
+    if(report || !(is_refined || surface.number_of_corners_left_out() > 0) || !work.is_left())
       return report;
     Surface_to_remesh input = copy();
+    options.border_tolerance = 0;
     return remesh_again(input, options, report, result, is_feature);
   };
   return write_quads(tmesh, quads, parameters, strip(np2), true, make_quads);

@@ -37,6 +37,7 @@
   F(align_border_t, align_border, align_border)                                                    \
   F(align_boundary_t, align_boundary, align_boundary)                                              \
   F(allow_holes_t, allow_holes, allow_holes)                                                       \
+  F(border_tolerance_t, border_tolerance, border_tolerance)                                        \
   F(cell_neighbors_t, cell_neighbors, cell_neighbors)                                              \
   F(cone_index_t, cone_index, cone_index_map)                                                      \
   F(connection_constraints_t, connection_constraints, connection_constraints)                      \
@@ -232,6 +233,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `align_boundary`: whether boundary facets of a volume are to lie in planes of constant
  *   coordinates (`bool`)
  * - `allow_holes`: whether cells around faces that are not positive are left out (`bool`)
+ * - `border_tolerance`: how far the border of quads may leave that of the surface to have fewer
+ *   corners (`double`)
  * - `cell_neighbors`: the neighbors of the cells of a volume, where they are known
  * - `cone_index_map`: the index of each vertex in quarter turns, where the cones are given
  * - `connection_constraints`, `cycle_constraints`, `corner_constraints`: further constraints on a

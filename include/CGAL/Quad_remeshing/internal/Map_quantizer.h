@@ -171,6 +171,7 @@ private:
       m_run.mesh(), m_run.surface.uv_map(),
       m_run.features_and_transitions()
         .align_border(true).release_alignment(true)
+        .vertex_point_map(m_run.surface.points_of_map())
         .curvature_alignment(curvature_alignment())
         .curvature_adaptivity(m_run.options.curvature_adaptivity)
         .face_direction_map(m_run.surface.directions()).vertex_sizing_map(m_run.surface.sizes())

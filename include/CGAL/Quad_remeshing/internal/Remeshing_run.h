@@ -39,6 +39,7 @@ struct Remeshing_options
   Quantization_options quantization;
   std::optional<double> curvature_alignment;
   double curvature_adaptivity;
+  std::optional<double> border_tolerance; // in the size of the input
   std::size_t number_of_smoothing_rounds;
   bool has_single_precision; // the points of the quads
 

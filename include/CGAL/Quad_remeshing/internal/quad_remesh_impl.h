@@ -70,8 +70,8 @@ public:
 
   void run()
   {
-    if(check_lengths() && check_mirror() && Map_quantizer(m_run, m_choices).run() &&
-       make_best_quads())
+    if(check_lengths() && check_tolerance() && check_mirror() &&
+       Map_quantizer(m_run, m_choices).run() && make_best_quads())
       change_points([&](const double x) { return m_run.surface.unscaled(x); });
   }
 
@@ -142,6 +142,13 @@ private:
            refuse(m_run.report, Outcome::INVALID_ARGUMENT,
                   "face " + std::to_string(face) + " has an edge more than 1e50 times as long as "
                   "the shortest one of the mesh; remove the vertex that is far away");
+  }
+
+  bool check_tolerance()
+  {
+    return m_run.options.border_tolerance.value_or(0) >= 0 ||
+           refuse(m_run.report, Outcome::INVALID_ARGUMENT,
+                  "border_tolerance must not be negative");
   }
 
   // The mesh is one half then, and has half of the quads.
@@ -561,12 +568,22 @@ private:
   double m_length_of_features;
 };
 
+// By default, half of an edge of the quads, where these are to be of one size.
+inline double border_tolerance(const Surface_to_remesh& surface, const Remeshing_options& options)
+{
+  const double number = options.number_wanted() / (surface.mirror() ? 2 : 1);
+  const double length = number > 0 && !surface.has_sizes_that_vary()
+    ? surface.unscaled(std::sqrt(area_in_squares(surface) / number)) : 0;
+  return options.border_tolerance.value_or(length / 2);
+}
+
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& options,
                         Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
 {
   using Mesh = Surface_to_remesh::Mesh;
+  surface.straighten_border(border_tolerance(surface, options));
   const Is_better is_better(surface);
   const Work& work = *options.quantization.work;
   Remeshing_report before; // an attempt: what has been released
@@ -617,6 +634,7 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
         tried.quantization.number_of_quads = factor * number;
         make_others(attempt, is_better, quads, is_feature, best);
       }
+  best.number_of_corners_left_out = surface.number_of_corners_left_out();
   if(is_spent || !work.is_left())
     add_note(best, words_for_spent_work);
   return best;

@@ -109,6 +109,9 @@ struct Remeshing_report
   /// quads inverted
   std::size_t number_of_released_edges = 0;
   double length_of_released_edges = 0; ///< the sum of their lengths
+  /// how many corners of the border, with angles nearer to 90 or 270 degrees than to 180, were left
+  /// out by `border_tolerance`
+  std::size_t number_of_corners_left_out = 0;
   /// the faces that stayed flipped, in the order of iteration over all faces, from 0
   std::vector<std::size_t> remaining_flips;
   /// the steps in the order in which they were made, with their wall-clock times in seconds

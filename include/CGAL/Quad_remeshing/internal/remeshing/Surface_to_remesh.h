@@ -22,6 +22,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/Mirror.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_aligned_triangles.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/refine_surface.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/straighten_border.h>
 
 #include <CGAL/boost/graph/helpers.h>
 
@@ -73,7 +74,31 @@ public:
   bool refine(const bool has_large_faces)
   { return CGAL::is_triangle_mesh(m_mesh) && Surface_refiner(m_surface, has_large_faces).run(); }
 
+  // Leaves out what is less than a tolerance of the border, in the size of the input, in the points
+  // of which a map is to be made, as far as that spares corners.
+  void straighten_border(const double tolerance)
+  {
+    const auto is_finite = [&](const Vertex v) {
+      const Point& p = m_mesh.point(v);
+      return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+    };
+    if(!(tolerance > 0) || m_has_straight_border || !CGAL::is_triangle_mesh(m_mesh) ||
+       !std::all_of(m_mesh.vertices_begin(), m_mesh.vertices_end(), is_finite)) // refused later
+      return;
+    m_has_straight_border = true;
+    const auto points = m_mesh.add_property_map<Vertex, Point>("v:point_of_map").first;
+    for(const Vertex v : m_mesh.vertices())
+      points[v] = m_mesh.point(v);
+    m_number_of_corners_left_out =
+      Border_straightener(m_surface, scaled(tolerance), points)
+        .run([&](const Vertex v) { return has_inner_feature(v) || is_on_mirror(v); });
+    m_points_of_map = points;
+  }
+
+  std::size_t number_of_corners_left_out() const { return m_number_of_corners_left_out; }
+
   const Mesh& mesh() const { return m_mesh; }
+  Border_straightener::Point_map points_of_map() const { return m_points_of_map; }
   Feature_map is_feature() const { return m_surface.is_feature; }
   Uv_map uv_map() const { return m_uv_map; }
   Direction_map directions() const { return m_surface.directions; }
@@ -115,6 +140,17 @@ public:
   std::size_t original(const std::size_t face) const { return m_surface.originals[face]; }
 
 private:
+  bool has_inner_feature(const Vertex v) const
+  {
+    const auto edges = m_mesh.halfedges_around_target(m_mesh.halfedge(v));
+    return std::any_of(edges.begin(), edges.end(), [&](const Halfedge h) {
+      return m_surface.is_feature[m_mesh.edge(h)] && !m_mesh.is_border(m_mesh.edge(h));
+    });
+  }
+
+  bool is_on_mirror(const Vertex v) const
+  { return m_mirror && std::abs(m_mirror->distance(m_mesh.point(v))) < 1e-9; }
+
   void scale()
   {
     double size = 0;
@@ -184,6 +220,9 @@ private:
   Feature_map m_is_cut = m_mesh.add_property_map<Edge, bool>("e:is_cut", false).first;
   Rotation_map m_rotations = m_mesh.add_property_map<Halfedge, int>("h:rotation", 0).first;
   std::optional<Mirror> m_mirror;
+  Border_straightener::Point_map m_points_of_map = m_mesh.points();
+  bool m_has_straight_border = false;
+  std::size_t m_number_of_corners_left_out = 0;
   int m_exponent = 0;
 };
 
