@@ -297,9 +297,9 @@ inline bool straighten_sides_of_narrow_sectors(const Triangle_surface& surface,
       bool is_beside = false;
       for_each_corner(surface, sector, [&](const Corner_index h)
                       { is_beside = is_beside || Flat_face_index(surface.face(h)) == f; });
-      const int wanted = int(std::lround(sector.angle / quarter_turn));
-      if(is_beside)
-        changed |= add_turns(surface, angles, sector, wanted, [&](const Corner_index h) {
+      constexpr int straight = 2;
+      if(is_beside && sector.angle > (straight - 0.5) * quarter_turn)
+        changed |= add_turns(surface, angles, sector, straight, [&](const Corner_index h) {
           const std::size_t w = surface.source(h);
           bool is_free = !surface.is_border[w] && index[w] < largest_index;
           for_each_corner(surface, w, [&](const Corner_index g)
