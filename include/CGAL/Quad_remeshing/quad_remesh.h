@@ -210,12 +210,10 @@ features, and half of the bound below is left, that is done at once, without men
 one. Where the mean scaled Jacobian is less than 0.8, or, of less than 1.1 times as many quads as
 wanted, less than 0.9, or the median edge of so few differs from its wanted length by more than a
 half, there is another attempt without features near quads whose scaled Jacobian is less than 0.1,
-and a third one if lengths differ by so much even then. Where more than 1,000 quads are wanted, and
-less than 1.1 times as many have a mean scaled Jacobian of less than 0.85 after all that, a
-twentieth less and a twentieth more are made as well, if a quarter of that work is left. What has
-the fewest inverted quads is the result, and then the better mean scaled Jacobian, less half of the
-part of the features' length that is released, and less half of what the median edge differs, where
-that is from 0.5 to 1.5; these quads are counted in the report.
+and a third one if lengths differ by so much even then. What has the fewest inverted quads is the
+result, and then the better mean scaled Jacobian, less half of the part of the features' length that
+is released, and less half of what the median edge differs, where that is from 0.5 to 1.5; these
+quads are counted in the report.
 
 Before, in a copy, triangles with three sides that are features or border are divided, and so are
 those at tips, where two of these meet in a sector of less than 50 degrees, longer than three times

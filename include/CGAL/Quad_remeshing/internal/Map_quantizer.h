@@ -100,7 +100,6 @@ public:
   }
 
   static constexpr std::size_t most_choices = 8;
-  static constexpr double most_to_choose = 1000; // quads
 
 private:
   bool sizes_vary() const
@@ -241,6 +240,7 @@ private:
   }
 
   static constexpr int lowest_rung = -12; // of about one quad
+  static constexpr double most_to_choose = 1000; // quads
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
 
   Remeshing_run& m_run;

@@ -601,9 +601,8 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
                                  attempts_for_shape < 2 && !is_forced;
     return r && (r.number_of_inverted_quads > 0 || is_distorted || has_other_sizes);
   };
-  Remeshing_options tried = options;
   const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept) {
-    Quad_remesher remesher(surface, tried, mesh, is_kept);
+    Quad_remesher remesher(surface, options, mesh, is_kept);
     remesher.run();
     remesher.count_released_edges(before);
     const Remeshing_report report = remesher.report();
@@ -624,16 +623,6 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
     attempts_for_shape += best.number_of_inverted_quads == 0;
     make_others(attempt, is_better, quads, is_feature, best);
   }
-  // numbers near by have other integers; of few quads, larger ones were choices before
-  const double number = options.quantization.number_of_quads;
-  constexpr double fair_jacobian = 0.85;
-  if(best && number > Map_quantizer::most_to_choose && !options.quantization.is_coarsest &&
-     double(best.number_of_quads) < 1.1 * number)
-    for(const double factor : {0.95, 1.05})
-      if(best.mean_scaled_jacobian < fair_jacobian && work.left() >= of_attempt / 4) {
-        tried.quantization.number_of_quads = factor * number;
-        make_others(attempt, is_better, quads, is_feature, best);
-      }
   best.number_of_corners_left_out = surface.number_of_corners_left_out();
   if(is_spent || !work.is_left())
     add_note(best, words_for_spent_work);
