@@ -2605,6 +2605,32 @@ void test_border_in_steps()
       return std::abs(std::cos(angle) * x + std::sin(angle) * y) < 0.7 &&
              std::abs(std::cos(angle) * y - std::sin(angle) * x) < 0.7;
     }), 300);
+  for(const unsigned int seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<double> phase(0, 6.28), height(0.02, 0.1);
+    std::vector<std::array<double, 2> > waves;
+    for(int k = 0; k < 5; ++k) {
+      const double p = phase(engine), h = height(engine);
+      waves.push_back({p, h});
+    }
+    check("coast in steps, seed " + std::to_string(seed),
+          cells_inside(40, [&](const double x, const double y) {
+            double radius = 0.6;
+            for(std::size_t k = 0; k < waves.size(); ++k)
+              radius += waves[k][1] * std::cos(double(k + 2) * std::atan2(y, x) + waves[k][0]);
+            return std::hypot(x, y) < radius;
+          }), 300);
+  }
+
+  // Slots that are narrow but deep, and steps that are larger than quads, stay.
+  for(const auto& size : {std::make_pair(1, 30), std::make_pair(6, 16)}) { // width, depth
+    const Mesh comb = cells_inside(20, [&](const double x, const double y)
+                                   { return int(std::floor(20 * x + 23)) % 8 >= size.first ||
+                                            20 * y + 20 > size.second; });
+    const auto report = QR::quad_remesh(comb, *std::make_unique<Mesh>(),
+                                        parameters::target_edge_length(0.1));
+    CHECK_IN(report.message, report && report.number_of_corners_left_out == 0);
+  }
 
   // What has no steps stays: the same quads.
   const Mesh square = cells_inside(10, [](double, double) { return true; });

@@ -329,10 +329,12 @@ in any case takes some seconds on 100,000 faces, and about as long for 10,000 qu
   \cgalParamNEnd
   \cgalParamNBegin{border_tolerance}
     \cgalParamDescription{how far straight lines may be from the border that stand in for it, where
-                          they have fewer corners: the border of the quads does not turn at steps
-                          that are smaller, as those of cells along which a height field ends. The
-                          vertices of the quads lie on the border as it is. Vertices at which inner
-                          features end stay, and loops that such lines make less than a triangle.
+                          they save a loop a quarter of its corners: the border of the quads does
+                          not turn at steps that are smaller, as those of cells along which a
+                          height field ends. The vertices of the quads lie on the border as it is.
+                          Lines are nowhere farther than a quarter of the extent of their loop, and
+                          don't stand in for what is narrow but deep, where they would meet in an
+                          angle of less than 45 degrees. Vertices at which inner features end stay.
                           The report counts the corners that are left out.}
     \cgalParamType{`double`, not negative, or a `std::optional` of it}
     \cgalParamDefault{half of the length of the edges that are wanted; `0`, which leaves out none,

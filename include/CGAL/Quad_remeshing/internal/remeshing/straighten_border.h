@@ -51,16 +51,14 @@ public:
     : m_surface(surface), m_mesh(surface.mesh), m_tolerance(tolerance), m_points(points)
   { }
 
-  // Only loops that have fewer corners then are straightened, where they have corners, and no face
-  // turns over. Returns how many corners are left out.
+  // Only loops that lose a quarter of their corners are straightened, where they have corners,
+  // lines don't meet in acute angles, and no face turns over. Returns how many are left out.
   template <typename Predicate>
   std::size_t run(const Predicate& is_fixed)
   {
     find_lines(is_fixed);
     if(m_lines.empty())
       return 0;
-    for(const Line& line : m_lines)
-      move_border(line);
     divide_chords();
     find_vertices_near_by();
     constexpr int most_rounds = 8;
@@ -85,7 +83,9 @@ private:
     bool is_dropped;
   };
 
-  static constexpr double flat = 135; // degrees: nearer to two quarter turns than to one
+  // In degrees: nearer to two quarter turns than to one; and as of what is narrow but deep, such as
+  // a slot, of which lines make a wedge.
+  static constexpr double flat = 135, acute = 45;
 
   template <typename Predicate>
   void find_lines(const Predicate& is_fixed)
@@ -100,26 +100,30 @@ private:
         m_loop.push_back(m_mesh.target(g));
       }
       const std::vector<std::size_t> ends = simplify(is_fixed);
-      if(ends.size() >= 3 && number_of_corners(ends) < number_of_corners(0, m_loop.size()))
-        for(std::size_t i = 0; i < ends.size(); ++i)
+      if(ends.size() < 3)
+        continue;
+      std::vector<double> angles; // of lines
+      for(std::size_t i = 0; i < ends.size(); ++i)
+        angles.push_back(CGAL::approximate_angle(
+          point(ends[(i + ends.size() - 1) % ends.size()]), point(ends[i]),
+          point(ends[(i + 1) % ends.size()])));
+      const auto number_of_corners_of_lines =
+        std::count_if(angles.begin(), angles.end(), [](const double a) { return a < flat; });
+      if(4 * std::size_t(number_of_corners_of_lines) > 3 * number_of_corners(0, m_loop.size()))
+        continue;
+      const std::size_t lines_before = m_lines.size();
+      for(std::size_t i = 0; i < ends.size(); ++i)
+        if(angles[i] > acute && angles[(i + 1) % ends.size()] > acute)
           add_line(ends[i], i + 1 < ends.size() ? ends[i + 1] : ends[0] + m_loop.size());
+      if(m_lines.size() > lines_before)
+        find_isocurves();
     }
   }
 
   Vertex vertex(const std::size_t i) const { return m_loop[i % m_loop.size()]; }
   const Point& point(const std::size_t i) const { return m_mesh.point(vertex(i)); }
 
-  // Of the loop, if it consists of straight lines.
-  std::size_t number_of_corners(const std::vector<std::size_t>& ends) const
-  {
-    std::size_t result = 0;
-    for(std::size_t i = 0; i < ends.size(); ++i)
-      result += CGAL::approximate_angle(point(ends[i]), point(ends[(i + 1) % ends.size()]),
-                                        point(ends[(i + 2) % ends.size()])) < flat ? 1 : 0;
-    return result;
-  }
-
-  // Of the loop as it is, from one of its vertices to before another one.
+  // From one vertex of the loop to before another one.
   std::size_t number_of_corners(const std::size_t first, const std::size_t last) const
   {
     std::size_t result = 0;
@@ -140,7 +144,7 @@ private:
   }
 
   // The vertices of the loop between which it is near to straight lines [Douglas and Peucker 1973].
-  // Of n vertices, in n log n steps as a rule, and in n^2 at most.
+  // Of n vertices, in n log n steps as a rule, and in n^2 at most. Small loops stay loops.
   template <typename Predicate>
   std::vector<std::size_t> simplify(const Predicate& is_fixed)
   {
@@ -149,10 +153,15 @@ private:
     for(std::size_t i = 0; i < n; ++i)
       if(is_fixed(m_loop[i]))
         result.push_back(i);
+    const std::size_t first_of_loop = result.empty() ? farthest_from(0) : result[0];
+    const std::size_t opposite = farthest_from(first_of_loop);
     if(result.empty())
-      result.push_back(farthest_from(0));
+      result.push_back(first_of_loop);
     if(result.size() == 1)
-      result.push_back(farthest_from(result[0]));
+      result.push_back(opposite);
+    const double tolerance =
+      (std::min)(m_tolerance,
+                 std::sqrt(CGAL::squared_distance(point(first_of_loop), point(opposite))) / 4);
     std::sort(result.begin(), result.end());
     std::vector<std::pair<std::size_t, std::size_t> > parts;
     for(std::size_t i = 0; i < result.size(); ++i)
@@ -162,7 +171,7 @@ private:
       parts.pop_back();
       const Kernel::Segment_3 s(point(first), point(last));
       std::size_t farthest = first;
-      double square = m_tolerance * m_tolerance;
+      double square = tolerance * tolerance;
       for(std::size_t i = first + 1; i < last; ++i)
         if(const double d = CGAL::squared_distance(point(i), s); d > square) {
           square = d;
@@ -204,7 +213,28 @@ private:
     }
     line.points.back() = point(last);
     m_lines_at[vertex(last)].insert(m_lines.size());
+    move_border(line);
     m_lines.push_back(line);
+  }
+
+  // The parts of the loop between corners that are left, or longer ones where these are in doubt.
+  void find_isocurves()
+  {
+    constexpr double surely_corner = 110; // degrees
+    const std::size_t n = m_loop.size();
+    const auto is_corner = [&](const std::size_t i) {
+      return CGAL::approximate_angle(m_points[vertex(i + n - 1)], m_points[vertex(i)],
+                                     m_points[vertex(i + 1)]) < surely_corner;
+    };
+    std::size_t first = 0;
+    while(first < n && !is_corner(first))
+      ++first;
+    for(std::size_t i = first; i <= first + n; ++i) {
+      m_isocurves_at[vertex(i)].insert(m_number_of_isocurves);
+      if(is_corner(i) || i == first + n)
+        m_isocurves_at[vertex(i)].insert(++m_number_of_isocurves);
+    }
+    ++m_number_of_isocurves;
   }
 
   void move_border(const Line& line)
@@ -213,33 +243,27 @@ private:
       m_points[line.vertices[i]] = line.points[i];
   }
 
-  // Edges inside between vertices of one line, or across an end of it that is hardly a corner, with
-  // which triangles would have no area: they get a vertex in the middle.
+  // Edges inside between vertices of one isocurve, with which triangles would have no area: they
+  // get a vertex in the middle.
   void divide_chords()
   {
     std::vector<Halfedge> chords;
     for(const Edge e : m_mesh.edges()) {
       const Halfedge h = m_mesh.halfedge(e);
-      if(!m_surface.is_wall(h) && (is_of_one_line(h) || is_at_flat_corner(h) ||
-                                   is_at_flat_corner(m_mesh.opposite(h))))
+      if(!m_surface.is_wall(h) && is_chord(h))
         chords.push_back(h);
     }
     for(const Halfedge h : chords)
       divide(h);
   }
 
-  bool is_of_one_line(const Halfedge h) const
+  bool is_chord(const Halfedge h) const
   {
-    const auto v = m_lines_at.find(m_mesh.source(h)), w = m_lines_at.find(m_mesh.target(h));
-    return v != m_lines_at.end() && w != m_lines_at.end() &&
-           std::any_of(v->second.begin(), v->second.end(), [&](const std::size_t line)
-                       { return w->second.count(line) > 0; });
-  }
-
-  bool is_at_flat_corner(const Halfedge h) const
-  {
-    return m_surface.is_wall(m_mesh.next(h)) && m_surface.is_wall(m_mesh.prev(h)) &&
-           angle_to_next(m_mesh.next(h), m_points) > flat;
+    const auto v = m_isocurves_at.find(m_mesh.source(h)),
+               w = m_isocurves_at.find(m_mesh.target(h));
+    return v != m_isocurves_at.end() && w != m_isocurves_at.end() &&
+           std::any_of(v->second.begin(), v->second.end(), [&](const std::size_t isocurve)
+                       { return w->second.count(isocurve) > 0; });
   }
 
   // The edge, and the two faces at it.
@@ -368,6 +392,8 @@ private:
   std::vector<Vertex> m_loop; // of the border, in the order of its halfedges
   std::vector<Line> m_lines;
   std::map<Vertex, std::set<std::size_t> > m_lines_at; // those of the border, or nearest to it
+  std::map<Vertex, std::set<std::size_t> > m_isocurves_at; // of the border
+  std::size_t m_number_of_isocurves = 0;
   std::vector<Vertex> m_inside;                        // those that may move
   std::vector<std::vector<std::pair<Vertex, double> > > m_weights; // of their neighbors
 };
