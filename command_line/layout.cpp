@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <sstream>
@@ -66,9 +67,8 @@ struct Layout_options
   }
 };
 
-// Where flips should be repaired and remain, there is no layout. Returns the largest change of a
-// coordinate.
-double snap(const Layout_options& options, Model& model, const Alignment& alignment)
+// Where flips should be repaired and remain, there is no layout.
+IL::Snapping_report snap(const Layout_options& options, Model& model, const Alignment& alignment)
 {
   const Progress progress("snapping " + counted(model.mesh.number_of_faces(), "face"),
                           options.seams.reading.verbose);
@@ -76,23 +76,26 @@ double snap(const Layout_options& options, Model& model, const Alignment& alignm
   check_snapped(report, model, options.seams.tolerance);
   if(report.status == IL::Outcome::FLIPS_REMAIN)
     throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
-  return report.largest_change;
+  return report;
 }
 
 struct Layout_counts
 {
-  // \param largest_change of a coordinate by snapping
-  Layout_counts(const IL::Motorcycle_graph<Mesh>& graph, const double largest_change)
+  Layout_counts(const IL::Motorcycle_graph<Mesh>& graph, const IL::Snapping_report& snapped)
     : cut_patches(graph.number_of_cut_patches()),
-      rectangles(graph.number_of_patches() - cut_patches), arcs(graph.number_of_arcs())
+      rectangles(graph.number_of_patches() - cut_patches), arcs(graph.number_of_arcs()),
+      extent(snapped.extent)
   {
-    constexpr double much = 10; // the changes along a path across cuts add up
+    constexpr double much = 4; // the changes along a path across cuts add up
     for(std::size_t p = 0; p < graph.number_of_patches(); ++p)
       if(!graph.patch_is_cut(p)) {
         const double width = CGAL::to_double((std::min)(graph.patch_width(p),
                                                         graph.patch_height(p)));
-        least_width = (std::min)(least_width.value_or(width), width);
-        thin_rectangles += width < much * largest_change ? 1 : 0;
+        if(width < least_width.value_or(std::numeric_limits<double>::infinity())) {
+          least_width = width;
+          thinnest = p;
+        }
+        thin_rectangles += width < much * snapped.run.largest_change_before_repair ? 1 : 0;
       }
     for(std::size_t n = 0; n < graph.number_of_nodes(); ++n) {
       const IL::Layout_node kind = graph.node_kind(n);
@@ -105,8 +108,10 @@ struct Layout_counts
   std::size_t cones_and_corners = 0;
   std::size_t junctions = 0; // at which curves meet
   std::size_t seeds = 0;     // chosen in parts without cones and corners
+  double extent;                     // of the domain
   std::size_t thin_rectangles = 0;   // as thin as if made by snapping
   std::optional<double> least_width; // of a rectangle, in the domain
+  std::size_t thinnest = 0;          // the patch that this is
 };
 
 void write_summary(std::ostream& os, const Layout_counts& n)
@@ -119,12 +124,13 @@ void write_summary(std::ostream& os, const Layout_counts& n)
      << (n.seeds > 0 ? ", " + counted(n.seeds, "vertex") + " chosen in parts without any," : "")
      << " and " << counted(n.junctions, "point") << " at which curves meet\n";
   if(n.least_width)
-    os << "the thinnest rectangle is " << *n.least_width << " wide in the domain\n";
+    os << "the thinnest rectangle, patch_" << n.thinnest + 1 << ", is " << *n.least_width
+       << " wide in the domain, that is " << *n.least_width / n.extent << " of the extent\n";
   if(n.thin_rectangles > 0)
     os << "note: " << counted(n.thin_rectangles, "rectangle")
        << " can be due to the inaccuracy of the input, as thin as the changes by snapping: curves "
-          "that are meant to meet pass each other there. They meet where coordinates are integers: "
-          "'seamless quads IN OUT --number N --patches FILE' writes the rectangles between these\n";
+          "that are meant to meet may pass each other there; a map that is more accurate, or whose "
+          "cones are at integers, has no such ones\n";
 }
 
 nlohmann::json json_of(const std::optional<Layout_counts>& n, const bool is_written,
@@ -154,7 +160,7 @@ void layout(const Arguments& arguments)
   std::optional<Layout_counts> counts;
   const auto work = [&] {
     const Alignment alignment(model, options.seams);
-    const double largest_change = snap(options, model, alignment);
+    const IL::Snapping_report snapped = snap(options, model, alignment);
     const Progress progress("dividing the surface", options.seams.reading.verbose);
     const auto np = IL::parameters::edge_is_constrained_map(alignment.is_aligned);
     const IL::Motorcycle_graph<Mesh> graph =
@@ -169,7 +175,7 @@ void layout(const Arguments& arguments)
     write_file(options.output, text.str());
     if(!options.picture.empty())
       write_file(options.picture, layout_picture(graph));
-    counts.emplace(graph, largest_change);
+    counts.emplace(graph, snapped);
     write_summary(os, *counts);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {

@@ -131,16 +131,16 @@ private:
       double angle = 0;
       for(const Halfedge h : CGAL::halfedges_around_target(vertex(i), m_mesh))
         if(!m_mesh.is_border(h))
-          angle += angle_to_next(h, m_mesh.points());
+          angle += angle_to_next(h);
       result += angle < flat || angle > 360 - flat ? 1 : 0;
     }
     return result;
   }
 
-  double angle_to_next(const Halfedge h, const Point_map& points) const // in degrees
+  double angle_to_next(const Halfedge h) const // in degrees
   {
-    return CGAL::approximate_angle(points[m_mesh.source(h)], points[m_mesh.target(h)],
-                                   points[m_mesh.target(m_mesh.next(h))]);
+    return CGAL::approximate_angle(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
+                                   m_mesh.point(m_mesh.target(m_mesh.next(h))));
   }
 
   // The vertices of the loop between which it is near to straight lines [Douglas and Peucker 1973].
@@ -323,7 +323,7 @@ private:
   {
     constexpr double widest = 179; // degrees, of an angle at a vertex
     const auto tangent = [&](const Halfedge h) // of half of the angle to the next edge
-    { return std::tan((std::min)(angle_to_next(h, m_mesh.points()), widest) * CGAL_PI / 360); };
+    { return std::tan((std::min)(angle_to_next(h), widest) * CGAL_PI / 360); };
     std::vector<std::pair<Vertex, double> > result;
     double sum = 0;
     for(const Halfedge h : CGAL::halfedges_around_target(v, m_mesh)) {
