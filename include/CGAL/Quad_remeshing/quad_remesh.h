@@ -39,6 +39,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -98,9 +99,20 @@ inline bool has_flaws(const Remeshing_report& report)
          report.number_of_displaced_vertices > 0 || report.mean_scaled_jacobian < good_shape;
 }
 
-// Makes them of another copy of the surface; those that were made before stay if they are better.
+// Whether the border as it is may be better than straight lines for it.
+inline bool has_flaws_at_border(const Remeshing_report& report)
+{
+  constexpr double fair_shape = 0.9; // a mean scaled Jacobian
+  return report && report.number_of_corners_left_out > 0 &&
+         (report.number_of_inverted_quads > 0 || report.number_of_displaced_vertices > 0 ||
+          report.mean_scaled_jacobian < fair_shape);
+}
+
+// Makes them of another copy of the surface; those that were made before stay if they are better,
+// or the others more than `most_quads`.
 Remeshing_report remesh_again(Surface_to_remesh& surface, const Remeshing_options& options,
-                              const Remeshing_report& before, Surface_to_remesh::Mesh& quads,
+                              const Remeshing_report& before, double most_quads,
+                              Surface_to_remesh::Mesh& quads,
                               const Surface_to_remesh::Feature_map& is_feature);
 
 // Gives the quads of a quantization a better shape.
@@ -230,8 +242,10 @@ mean scaled Jacobian is less than 0.95, all is made once more with large triangl
 which leave a map no room between features: those longer than four such sides, if they and the long
 ones cover a quarter of the area, and 85 % of the work is left (see below). Of the two results, that
 is taken that is better as above.
-Where no quads are found on refined surfaces, or ones that are taken to have fewer corners, the
-input is remeshed as it is.
+Where corners of the border are left out, and quads are inverted or vertices displaced, or the mean
+scaled Jacobian is less than 0.9, all is made once more with all corners, if 85 % of the work is
+left; that is taken if it is better, with at most 1.2 times as many quads. Where no quads are found
+on refined surfaces, or without some corners, the input is remeshed as it is.
 
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
@@ -490,19 +504,26 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
   const auto make_quads = [&](auto& result, const auto& is_feature, auto options) {
     const auto copy = [&] { return surface_to_remesh(tmesh, parameters, mirror_of(parameters)); };
     const Work& work = *options.quantization.work;
+    constexpr double any_number = std::numeric_limits<double>::infinity();
     Surface_to_remesh surface = copy();
     const bool is_refined = surface.refine(true);
     Remeshing_report report = remesh(surface, options, result, is_feature);
     if(has_flaws(report) && work.is_mostly_left()) {
       Surface_to_remesh finer = copy();
       if(finer.refine(false) && finer.mesh().number_of_faces() > surface.mesh().number_of_faces())
-        report = remesh_again(finer, options, report, result, is_feature);
+        report = remesh_again(finer, options, report, any_number, result, is_feature);
+    }
+    options.border_tolerance = 0;
+    if(has_flaws_at_border(report) && work.is_mostly_left()) {
+      Surface_to_remesh other = copy();
+      other.refine(true);
+      report = remesh_again(other, options, report, 1.2 * double(report.number_of_quads), result,
+                            is_feature);
     }
     if(report || !(is_refined || surface.number_of_corners_left_out() > 0) || !work.is_left())
       return report;
     Surface_to_remesh input = copy();
-    options.border_tolerance = 0;
-    return remesh_again(input, options, report, result, is_feature);
+    return remesh_again(input, options, report, any_number, result, is_feature);
   };
   return write_quads(tmesh, quads, parameters, strip(np2), true, make_quads);
 }

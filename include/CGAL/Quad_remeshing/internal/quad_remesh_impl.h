@@ -631,13 +631,17 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Remeshing_report remesh_again(Surface_to_remesh& surface, const Remeshing_options& options,
-                              const Remeshing_report& before, Surface_to_remesh::Mesh& quads,
+                              const Remeshing_report& before, const double most_quads,
+                              Surface_to_remesh::Mesh& quads,
                               const Surface_to_remesh::Feature_map& is_feature)
 {
   Remeshing_report best = before;
+  const Is_better is_better(surface);
   make_others([&](auto& mesh, const auto& is_kept)
               { return remesh(surface, options, mesh, is_kept); },
-              Is_better(surface), quads, is_feature, best);
+              [&](const Remeshing_report& a, const Remeshing_report& b)
+              { return double(a.number_of_quads) <= most_quads && is_better(a, b); },
+              quads, is_feature, best);
   return best;
 }
 
