@@ -45,6 +45,16 @@ struct Remeshing_types
   using Quad = Quad_in_space;
 };
 
+// Of a face at the target of a halfedge, in degrees.
+inline double angle_to_next(const Remeshing_types::Mesh& mesh, const Remeshing_types::Halfedge h)
+{
+  return CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                 mesh.point(mesh.target(mesh.next(h))));
+}
+
+// Between walls, in degrees: nearer to two quarter turns than to one.
+constexpr double flat_corner = 135;
+
 // A mesh, and what is known of its elements. Vertices that are added on edges get the size in
 // between, and parts of edges and faces what is known of these.
 struct Marked_surface

@@ -75,17 +75,16 @@ public:
   { return CGAL::is_triangle_mesh(m_mesh) && Surface_refiner(m_surface, has_large_faces).run(); }
 
   // Leaves out what is less than a tolerance of the border, in the size of the input, in the points
-  // of which a map is to be made, as far as that spares corners.
+  // of which a map is to be made, as far as that spares corners. Is called once.
   void straighten_border(const double tolerance)
   {
     const auto is_finite = [&](const Vertex v) {
       const Point& p = m_mesh.point(v);
       return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
     };
-    if(!(tolerance > 0) || m_has_straight_border || !CGAL::is_triangle_mesh(m_mesh) ||
+    if(!(tolerance > 0) || !CGAL::is_triangle_mesh(m_mesh) ||
        !std::all_of(m_mesh.vertices_begin(), m_mesh.vertices_end(), is_finite)) // refused later
       return;
-    m_has_straight_border = true;
     const auto points = m_mesh.add_property_map<Vertex, Point>("v:point_of_map").first;
     for(const Vertex v : m_mesh.vertices())
       points[v] = m_mesh.point(v);
@@ -221,7 +220,6 @@ private:
   Rotation_map m_rotations = m_mesh.add_property_map<Halfedge, int>("h:rotation", 0).first;
   std::optional<Mirror> m_mirror;
   Border_straightener::Point_map m_points_of_map = m_mesh.points();
-  bool m_has_straight_border = false;
   std::size_t m_number_of_corners_left_out = 0;
   int m_exponent = 0;
 };

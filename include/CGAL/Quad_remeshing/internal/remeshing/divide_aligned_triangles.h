@@ -96,16 +96,12 @@ private:
                        [&](const Halfedge h) { return m_surface.is_wall(h); });
   }
 
-  double angle_to_next(const Halfedge h) const // in degrees
-  { return CGAL::approximate_angle(source(h), target(h), target(m_mesh.next(h))); }
-
   // Whether the two other sides are walls, and nearly one straight line: they can't be on the same
   // isocurve where they are sides of one face.
   bool is_side_opposite_to_flat_corner(const Halfedge h) const
   {
-    constexpr double flat = 135; // degrees: nearer to two quarter turns than to one
     return m_surface.is_wall(m_mesh.next(h)) && m_surface.is_wall(m_mesh.prev(h)) &&
-           angle_to_next(m_mesh.next(h)) > flat;
+           angle_to_next(m_mesh, m_mesh.next(h)) > flat_corner;
   }
 
   // Where a narrow sector of faces begins at `h`, whose target is between walls: the field is
@@ -115,7 +111,7 @@ private:
     std::vector<Edge> edges{m_mesh.edge(h)};
     double angle = 0;
     do {
-      angle += angle_to_next(h);
+      angle += angle_to_next(m_mesh, h);
       edges.push_back(m_mesh.edge(m_mesh.next(h)));
       h = m_mesh.opposite(m_mesh.next(h));
     } while(!m_surface.is_wall(h) && angle < narrow_tip);

@@ -51,7 +51,7 @@ public:
   {
     for(const auto h : surface.halfedges())
       if(!surface.is_border(h) && surface.is_border(surface.target(h)))
-        m_angles[surface.point(surface.target(h))] += angle(surface, h);
+        m_angles[surface.point(surface.target(h))] += angle_to_next(surface, h);
   }
 
   // At most `farthest` edges of quads are moved for each vertex of the border.
@@ -76,13 +76,6 @@ public:
 
 private:
   static constexpr std::ptrdiff_t farthest = 8; // along the border, in edges
-
-  static double angle(const Mesh& surface, const Halfedge h)
-  {
-    return CGAL::approximate_angle(surface.point(surface.source(h)),
-                                   surface.point(surface.target(h)),
-                                   surface.point(surface.target(surface.next(h))));
-  }
 
   // From the corners of steps on.
   void remove_flat_quads()

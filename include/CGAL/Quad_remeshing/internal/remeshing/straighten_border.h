@@ -83,9 +83,8 @@ private:
     bool is_dropped;
   };
 
-  // In degrees: nearer to two quarter turns than to one; and as of what is narrow but deep, such as
-  // a slot, of which lines make a wedge.
-  static constexpr double flat = 135, acute = 45;
+  // Degrees, as of what is narrow but deep, such as a slot, of which lines make a wedge.
+  static constexpr double acute = 45;
 
   template <typename Predicate>
   void find_lines(const Predicate& is_fixed)
@@ -108,7 +107,7 @@ private:
           point(ends[(i + ends.size() - 1) % ends.size()]), point(ends[i]),
           point(ends[(i + 1) % ends.size()])));
       const auto number_of_corners_of_lines =
-        std::count_if(angles.begin(), angles.end(), [](const double a) { return a < flat; });
+        std::count_if(angles.begin(), angles.end(), [](const double a) { return a < flat_corner; });
       if(4 * std::size_t(number_of_corners_of_lines) > 3 * number_of_corners(0, m_loop.size()))
         continue;
       const std::size_t lines_before = m_lines.size();
@@ -131,16 +130,10 @@ private:
       double angle = 0;
       for(const Halfedge h : CGAL::halfedges_around_target(vertex(i), m_mesh))
         if(!m_mesh.is_border(h))
-          angle += angle_to_next(h);
-      result += angle < flat || angle > 360 - flat ? 1 : 0;
+          angle += angle_to_next(m_mesh, h);
+      result += angle < flat_corner || angle > 360 - flat_corner ? 1 : 0;
     }
     return result;
-  }
-
-  double angle_to_next(const Halfedge h) const // in degrees
-  {
-    return CGAL::approximate_angle(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
-                                   m_mesh.point(m_mesh.target(m_mesh.next(h))));
   }
 
   // The vertices of the loop between which it is near to straight lines [Douglas and Peucker 1973].
@@ -323,7 +316,7 @@ private:
   {
     constexpr double widest = 179; // degrees, of an angle at a vertex
     const auto tangent = [&](const Halfedge h) // of half of the angle to the next edge
-    { return std::tan((std::min)(angle_to_next(h), widest) * CGAL_PI / 360); };
+    { return std::tan((std::min)(angle_to_next(m_mesh, h), widest) * CGAL_PI / 360); };
     std::vector<std::pair<Vertex, double> > result;
     double sum = 0;
     for(const Halfedge h : CGAL::halfedges_around_target(v, m_mesh)) {
