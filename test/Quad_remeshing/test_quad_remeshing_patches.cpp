@@ -27,6 +27,7 @@
 #include <iostream>
 #include <iterator>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -496,6 +497,37 @@ void test_slivers()
     }
 }
 
+// The narrow tip of a face stays, unless it is not flat, a side ends, or more features meet there.
+void test_tips_of_faces()
+{
+  for(const char* change : {"none", "bent", "ends", "many"}) {
+    const std::string_view changed = change;
+    Mesh mesh;
+    const auto add = [&](const double x, const double y, const double z)
+    { return mesh.add_vertex(quad_reference::Kernel::Point_3(x, y, z)); };
+    const double z = changed == "bent" ? 1 : 0;
+    const auto tip = add(0, 0, 0), a = add(4, 0.5, 0), b = add(4, -0.5, 0), c = add(8, 1, z),
+               d = add(8, -1, z), p = add(4, 3, 3), q = add(4, -3, 3);
+    mesh.add_face(tip, b, a);
+    mesh.add_face(b, c, a);
+    mesh.add_face(b, d, c);
+    mesh.add_face(tip, a, p);
+    mesh.add_face(a, c, p);
+    mesh.add_face(tip, q, b);
+    mesh.add_face(b, q, d);
+    mesh.add_face(tip, p, q);
+    const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+    const auto edge = [&](const auto v, const auto w) { return mesh.edge(mesh.halfedge(v, w)); };
+    for(const auto e : {edge(tip, a), edge(tip, b), edge(b, d)})
+      is_feature[e] = true;
+    is_feature[edge(a, c)] = changed != "ends";
+    is_feature[edge(tip, p)] = is_feature[edge(tip, q)] = changed == "many";
+    const bool stays = changed == "none";
+    CHECK_EQUAL(QR::remove_feature_noise(mesh, is_feature, 3.5), stays ? 0u : 1u);
+    CHECK((is_feature[edge(tip, a)] && is_feature[edge(tip, b)]) == stays);
+  }
+}
+
 int main()
 {
   std::cout << "random seed " << seed << std::endl;
@@ -506,5 +538,6 @@ int main()
   test_known_noise();
   test_random_noise();
   test_slivers();
+  test_tips_of_faces();
   return report_checks();
 }

@@ -43,55 +43,128 @@ namespace internal {
 // Of two sides of a triangle that are features or border, and meet at a narrow angle, the shorter
 // one is no feature where it is close to the other: at the size of quads, they are one. A line that
 // only makes a spike there takes the third side. Not so of triangles without area, of which one may
-// be the only feature between two faces that have one. Returns how many were removed.
+// be the only feature between two faces that have one, and of the tip of a larger flat face, at a
+// corner of three features at most.
 template <typename TriangleMesh, typename EdgeIsConstrainedMap, typename VertexPointMap>
-std::size_t remove_sides_of_slivers(const TriangleMesh& tmesh, EdgeIsConstrainedMap is_feature,
-                                    const VertexPointMap& point_map, const double length)
+class Sliver_sides
 {
   using Vector = CGAL::Simple_cartesian<double>::Vector_3;
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  constexpr double narrow = 0.75; // the square of the cosine of 30 degrees
-  const double close = length / 3;
-  const auto vector = [&](const Halfedge h) { // to the target
-    const auto &p = get(point_map, source(h, tmesh)), &q = get(point_map, target(h, tmesh));
+
+public:
+  // \param close a distance
+  Sliver_sides(const TriangleMesh& mesh, const EdgeIsConstrainedMap& is_feature,
+               const VertexPointMap& point_map, const double close)
+    : m_mesh(mesh), m_is_feature(is_feature), m_point_map(point_map), m_close(close)
+  { }
+
+  // Returns how many were removed.
+  std::size_t remove()
+  {
+    std::size_t result = 0;
+    for(const auto f : faces(m_mesh))
+      for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+        Halfedge shorter = opposite(h, m_mesh), longer = next(h, m_mesh);
+        const Halfedge third = next(longer, m_mesh);
+        if(next(third, m_mesh) != h || !is_aligned(shorter) || !is_aligned(longer))
+          continue;
+        if(vector(shorter).squared_length() > vector(longer).squared_length())
+          std::swap(shorter, longer);
+        if(CGAL::is_border(edge(shorter, m_mesh), m_mesh) || !is_sliver(shorter, longer) ||
+           is_tip_of_larger_face(shorter, longer, third))
+          continue;
+        put(m_is_feature, edge(shorter, m_mesh), false);
+        ++result;
+        if(!is_aligned(third) && number_at_target(h) == 1 && number_at_target(shorter) > 0) {
+          put(m_is_feature, edge(third, m_mesh), true);
+          break; // or else, at the next corner, the third side would give way
+        }
+      }
+    return result;
+  }
+
+private:
+  Vector vector(const Halfedge h) const // to the target
+  {
+    const auto &p = get(m_point_map, source(h, m_mesh)), &q = get(m_point_map, target(h, m_mesh));
     return Vector(CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y()),
                   CGAL::to_double(q.z() - p.z()));
-  };
-  const auto is_aligned = [&](const Halfedge h)
-  { return CGAL::is_border(edge(h, tmesh), tmesh) || get(is_feature, edge(h, tmesh)); };
-  const auto number_at_target = [&](const Halfedge h) {
-    const auto around = CGAL::halfedges_around_target(h, tmesh);
-    return std::count_if(around.begin(), around.end(), is_aligned);
-  };
-  const auto is_sliver = [&](const Vector& a, const Vector& b) { // a is not longer
-    const double product = a * b, square = product * product, of_b = b.squared_length();
-    return product > 0 && square > narrow * a.squared_length() * of_b &&
-           a.squared_length() - square / of_b < close * close &&
+  }
+
+  bool is_aligned(const Halfedge h) const
+  { return CGAL::is_border(edge(h, m_mesh), m_mesh) || get(m_is_feature, edge(h, m_mesh)); }
+
+  auto number_at_target(const Halfedge h) const
+  {
+    const auto around = CGAL::halfedges_around_target(h, m_mesh);
+    return std::count_if(around.begin(), around.end(),
+                         [&](const Halfedge g) { return is_aligned(g); });
+  }
+
+  static bool is_narrow(const Vector& a, const Vector& b)
+  {
+    constexpr double square_of_cosine = 0.75; // of 30 degrees
+    const double product = a * b;
+    return product > 0 &&
+           product * product > square_of_cosine * a.squared_length() * b.squared_length();
+  }
+
+  // The end of one vector from the line of the other.
+  static double squared_distance(const Vector& a, const Vector& line)
+  { return a.squared_length() - (a * line) * (a * line) / line.squared_length(); }
+
+  bool is_sliver(const Halfedge shorter, const Halfedge longer) const
+  {
+    const Vector a = vector(shorter), b = vector(longer);
+    return is_narrow(a, b) && squared_distance(a, b) < m_close * m_close &&
            CGAL::cross_product(a, b) != CGAL::NULL_VECTOR;
-  };
-  std::size_t result = 0;
-  for(const auto f : faces(tmesh))
-    for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, tmesh), tmesh)) {
-      Halfedge shorter = opposite(h, tmesh), longer = next(h, tmesh);
-      const Halfedge third = next(longer, tmesh);
-      if(next(third, tmesh) != h || !is_aligned(shorter) || !is_aligned(longer))
-        continue;
-      Vector a = vector(shorter), b = vector(longer);
-      if(a.squared_length() > b.squared_length()) {
-        std::swap(a, b);
-        std::swap(shorter, longer);
-      }
-      if(CGAL::is_border(edge(shorter, tmesh), tmesh) || !is_sliver(a, b))
-        continue;
-      put(is_feature, edge(shorter, tmesh), false);
-      ++result;
-      if(!is_aligned(third) && number_at_target(h) == 1 && number_at_target(shorter) > 0) {
-        put(is_feature, edge(third, tmesh), true);
-        break; // or else, at the next corner, the third side would give way
-      }
+  }
+
+  bool is_tip_of_larger_face(const Halfedge shorter, const Halfedge longer,
+                             const Halfedge third) const
+  {
+    return is_flat(third) && number_at_target(opposite(shorter, m_mesh)) <= 3 &&
+           leads_away(shorter, vector(longer)) && leads_away(longer, vector(shorter));
+  }
+
+  bool is_flat(const Halfedge h) const
+  {
+    constexpr double least_cosine = 0.995; // of 6 degrees
+    if(is_aligned(h) || !CGAL::is_triangle(opposite(h, m_mesh), m_mesh))
+      return false;
+    const Vector n = normal(h), m = normal(opposite(h, m_mesh));
+    return n * m > least_cosine * std::sqrt(n.squared_length() * m.squared_length());
+  }
+
+  Vector normal(const Halfedge h) const
+  { return CGAL::cross_product(vector(h), vector(next(h, m_mesh))); }
+
+  // Whether the line of features that begins with an edge, in about its direction, gets farther
+  // from another line than what is close.
+  bool leads_away(Halfedge h, const Vector& line) const
+  {
+    constexpr int most_edges = 100;
+    const Vector first = vector(h);
+    Vector sum = first;
+    for(int i = 0; i < most_edges; ++i) {
+      if(squared_distance(sum, line) > m_close * m_close)
+        return true;
+      const auto around = CGAL::halfedges_around_source(target(h, m_mesh), m_mesh);
+      const auto next = std::find_if(around.begin(), around.end(), [&](const Halfedge g)
+                                     { return is_aligned(g) && is_narrow(first, vector(g)); });
+      if(next == around.end())
+        return false;
+      h = *next;
+      sum += vector(h);
     }
-  return result;
-}
+    return false;
+  }
+
+  const TriangleMesh& m_mesh;
+  EdgeIsConstrainedMap m_is_feature;
+  VertexPointMap m_point_map;
+  double m_close;
+};
 
 } // namespace internal
 
@@ -109,7 +182,10 @@ after the other:
 - of two sides of a triangle with an area that meet at less than 30 degrees, the shorter one, if it
   is nowhere farther than `length / 3` from the other, which may be on the border: slivers have
   normals, and so sharp edges, by chance. Where no other feature meets them there, so that a line
-  makes a spike, the third side becomes a feature in its place;
+  makes a spike, the third side becomes a feature in its place. Both stay at the tip of a larger
+  flat face, where at most one other feature or border edge meets them: if the third side is flat,
+  up to 6 degrees, and each of them goes on from its other end, within 30 degrees and 100 edges,
+  until it is farther than that from the line of the other;
 - chains that lead nowhere and are shorter than `length`;
 - all chains shorter than `4 * length`, however sharp they are, where the features are a net of
   noise: of more than 20 chains, those that lead nowhere are more than a fifth, and then, of what is
@@ -168,7 +244,7 @@ std::size_t remove_feature_noise(const TriangleMesh& tmesh, EdgeIsConstrainedMap
   const auto index_map = CGAL::get_initialized_vertex_index_map(tmesh, stripped);
   if(!(length > 0))
     return 0;
-  std::size_t result = internal::remove_sides_of_slivers(tmesh, is_feature, point_map, length);
+  std::size_t result = internal::Sliver_sides(tmesh, is_feature, point_map, length / 3).remove();
   std::vector<char> is_on_border(num_vertices(tmesh), false);
   std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> features;
   std::vector<internal::Feature_net::Edge> edges_of_net;
