@@ -240,10 +240,10 @@ vertices of quads can lie off the input by about as much. Parts of features and 
 features and border. Where features are released, vertices displaced, or quads inverted, or their
 mean scaled Jacobian is less than 0.95, all is made once more with large triangles divided, too,
 which leave a map no room between features: those longer than four such sides, if they and the long
-ones cover a quarter of the area, and 85 % of the work is left (see below). Of the two results, that
+ones cover a quarter of the area, and 70 % of the work is left (see below). Of the two results, that
 is taken that is better as above.
 Where corners of the border are left out, and quads are inverted or vertices displaced, or the mean
-scaled Jacobian is less than 0.9, all is made once more with all corners, if 85 % of the work is
+scaled Jacobian is less than 0.9, all is made once more with all corners, if 70 % of the work is
 left; that is taken if it is better, with at most 1.2 times as many quads. Where no quads are found
 on refined surfaces, or without some corners, the input is remeshed as it is.
 

@@ -53,7 +53,7 @@ public:
   }
   double left() const { return (std::max)(m_left, 0.); }
   bool is_left() const { return m_left > 0; }
-  bool is_mostly_left() const { return m_left > 0.85 * m_most; }
+  bool is_mostly_left() const { return m_left > 0.7 * m_most; }
   bool is_half_left() const { return m_left > 0.5 * m_most; }
 
   // For the shape of quads, once so much is spent on it: some is kept for that.
