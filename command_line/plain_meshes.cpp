@@ -52,7 +52,8 @@ void write_displacement(std::ostream& os, const std::size_t number, const double
 {
   if(number > 0)
     os << "moved off the surface or off a feature, as quads would be inverted: "
-       << counted(number, "vertex") << ", by at most " << largest << "\n";
+       << counted(number, "vertex") << ", each at most " << largest
+       << " from where it lay\n";
 }
 
 namespace {

@@ -294,7 +294,7 @@ private:
       return std::nullopt;
     return Refusal(Outcome::NOT_INTEGER,
                    name_of_rounding(*worst, m_surface, cuts) + " is " +
-                     short_number(worst->distance()) + " off the integer that it is rounded to, "
+                     short_number(worst->distance()) + " off the integer that fits the others, "
                      "more than the rounding_tolerance of " + short_number(tolerance) +
                      "; raise it to at least that, which is less of a map scaled by grid_scale");
   }

@@ -266,7 +266,7 @@ public:
     if(worst.first > m_rounding_tolerance)
       return Refusal(Outcome::NOT_INTEGER,
                      worst.second + " is " + short_number(worst.first) +
-                       " off the integer that it is rounded to, more than the rounding_tolerance "
+                       " off the integer that fits the others, more than the rounding_tolerance "
                        "of " + short_number(m_rounding_tolerance) + "; raise it to at least that, "
                        "which is less of a map scaled by grid_scale");
     if(!expand(*displacement, is_far, rounded))
