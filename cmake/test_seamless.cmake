@@ -756,6 +756,16 @@ foreach(arguments IN ITEMS "64;sheet.off;--sizes;sizes.txt"
   seamless(0 remesh ${input} sized.off ${arguments})
   expect_message("${out}" "${number} quads,")
 endforeach()
+# features are short against the mean size: the ridge of a roof, which leads nowhere
+file(WRITE "${WORK_DIR}/roof.obj" "v -2 0 0\nv 3 0 0\nv 3 1 0\nv -2 1 0\nv 0.25 0.5 0.25\n"
+  "v 0.75 0.5 0.25\nf 1 2 6 5\nf 2 3 6\nf 3 4 5 6\nf 4 1 5\n")
+foreach(message IN ITEMS "0.25;features: 1 edge, of length 0.5 in sum"
+    "1;left out as noise, by a --feature-length of 1: 1 feature edge")
+  list(POP_FRONT message size)
+  file(WRITE "${WORK_DIR}/roof.txt" "${size} ${size} ${size} ${size} ${size} ${size}")
+  seamless(0 remesh roof.obj sized.off --sizes roof.txt --feature-angle 40)
+  expect_message("${out}" "${message}")
+endforeach()
 # only ratios, even where squares are 0 or infinite
 foreach(size IN ITEMS 1e-160 1e-300 1e300)
   file(WRITE "${WORK_DIR}/extreme.txt" "${size} ${size} ${size} ${size}")

@@ -69,6 +69,19 @@ std::optional<Kernel::Plane_3> named_plane(const std::string& name)
   return result;
 }
 
+// The number of squares that are as large as sizes tell.
+double area_in_sizes(const Mesh& mesh, const Sizing_map& sizes)
+{
+  double result = 0;
+  for(const auto f : mesh.faces()) {
+    double size = 1;
+    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      size *= std::cbrt(sizes[v]);
+    result += PMP::face_area(f, mesh) / size / size;
+  }
+  return result;
+}
+
 struct Remesh_options
 {
   std::string input, output, field, sizes, symmetry, picture, patches, report;
@@ -165,13 +178,15 @@ struct Remesh_options
     return true;
   }
 
-  // The length of the edges of the quads, if all are squares.
-  double wanted_length(Mesh& mesh) const
+  // The length of the edges of the quads, if all are squares; the mean one where sizes vary.
+  double wanted_length(Mesh& mesh, const Sizing_map& sizes_of_vertices) const
   {
-    if(edge_length > 0)
+    if(edge_length > 0 && sizes.empty())
       return edge_length;
     const Size_near_one size(mesh);
-    return size.unscaled(std::sqrt(PMP::area(mesh) / number));
+    if(edge_length == 0)
+      return size.unscaled(std::sqrt(PMP::area(mesh) / number));
+    return edge_length * std::sqrt(PMP::area(mesh) / area_in_sizes(mesh, sizes_of_vertices));
   }
 
   double most_quads() const { return maximum_number > 0 ? maximum_number : most_faces; }
@@ -227,13 +242,7 @@ std::optional<Kernel::Plane_3> symmetry_plane(const Remesh_options& options, con
 // Throws `Failure` if the quads are too many, or less than one.
 void check_edge_length(const Remesh_options& options, const Mesh& mesh, const Sizing_map& sizes)
 {
-  double number = 0; // where the edge length is 1
-  for(const auto f : mesh.faces()) {
-    double size = 1;
-    for(const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-      size *= std::cbrt(sizes[v]);
-    number += PMP::face_area(f, mesh) / size / size;
-  }
+  const double number = area_in_sizes(mesh, sizes);
   const double most = options.most_quads();
   if(!(options.edge_length > 0 && std::isfinite(number)))
     return;
@@ -412,18 +421,18 @@ void remesh(const Arguments& arguments)
     { return read_plain_model(options.input, options.reading, model); });
   write_repairs(os, options.input, outcome.repairs);
   os << note_on_features(options.reading.features, model);
-  if(options.leaves_out_noise)
-    options.features.length = options.wanted_length(model.mesh);
-  outcome.features = options.features.mark(model, os);
-  if(options.feature_loss > 0 && outcome.features.length == 0)
-    os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
-          "--features\n";
-  os << std::flush; // before long work
   Located_quads quads;
   const auto work = [&] {
     const Direction_map directions =
       read_directions(options.field, outcome.repairs, model.mesh, os);
     const Sizing_map sizes = read_sizes(options.sizes, options.input, outcome.repairs, model);
+    if(options.leaves_out_noise)
+      options.features.length = options.wanted_length(model.mesh, sizes);
+    outcome.features = options.features.mark(model, os);
+    if(options.feature_loss > 0 && outcome.features.length == 0)
+      os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
+            "--features\n";
+    os << std::flush; // before long work
     const auto plane = symmetry_plane(options, model.mesh);
     os << note_on_plane(options, plane, model.mesh);
     outcome.is_mirrored = plane.has_value();
