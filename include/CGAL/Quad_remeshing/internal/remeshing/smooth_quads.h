@@ -350,6 +350,21 @@ public:
     return vector_product(vector_to(t[0], t[1]), vector_to(t[0], t[2]));
   }
 
+  // Of a surface that is a plane, or parallel ones that face to one side; else 0.
+  Space_vector unit_normal_of_plane() const
+  {
+    constexpr double rounding = 1e-9;
+    Space_vector sum{};
+    double size = 0;
+    for(const Face f : faces(m_surface)) {
+      const Space_vector normal = normal_of_surface(f);
+      size += norm(normal);
+      for(std::size_t c = 0; c < 3; ++c)
+        sum[c] += normal[c];
+    }
+    return norm(sum) > (1 - rounding) * size ? scaled_to_one(sum) : Space_vector{};
+  }
+
 private:
   const Tree& tree() const
   {
