@@ -35,6 +35,7 @@
 #include <iterator>
 #include <limits>
 #include <locale>
+#include <numeric>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -297,11 +298,20 @@ std::string note_on_plane(const Remesh_options& options,
   constexpr double much = 0.01; // of the diagonal
   if(!plane)
     return {};
-  if(std::none_of(mesh.vertices_begin(), mesh.vertices_end(), [&](const auto v)
-                  { return plane->has_on_negative_side(mesh.point(v)); }))
+  const auto has_vertex_on = [&](const CGAL::Oriented_side side) {
+    return std::any_of(mesh.vertices_begin(), mesh.vertices_end(), [&](const auto v)
+                       { return plane->oriented_side(mesh.point(v)) == side; });
+  };
+  if(!has_vertex_on(CGAL::ON_NEGATIVE_SIDE) && has_vertex_on(CGAL::ON_POSITIVE_SIDE))
     return "note: no vertex is on the negative side of the plane of --symmetry: the mesh as a whole "
            "is mirrored, not one half of it\n";
-  const double distance = options.symmetry == "auto" ? 0 : asymmetry(mesh, *plane);
+  if(options.symmetry == "auto") {
+    std::ostringstream os;
+    os << "symmetry: by the plane " << std::setprecision(17) << plane->a() << "," << plane->b() << ","
+       << plane->c() << "," << plane->d() << "\n";
+    return os.str();
+  }
+  const double distance = asymmetry(mesh, *plane);
   if(!(distance > much * diagonal(mesh)))
     return {};
   std::ostringstream os;
@@ -318,13 +328,16 @@ nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
   return result;
 }
 
+nlohmann::json json_of(const std::optional<Kernel::Plane_3>& p)
+{ return p ? nlohmann::json{p->a(), p->b(), p->c(), p->d()} : nullptr; }
+
 // What is told of the work, as far as it came.
 struct Remesh_outcome
 {
   Repairs repairs;
   Marked_features features;
   QR::Remeshing_report report;
-  bool is_mirrored = false;
+  std::optional<Kernel::Plane_3> symmetry_plane;
   double diagonal = 0; // of the input
   std::optional<double> turn; // against the directions of --field
   std::optional<Topologies> topologies;
@@ -337,7 +350,7 @@ struct Remesh_outcome
        << counted(report.number_of_irregular_vertices, "irregular vertex") << "\n"
        << (report.message.empty() ? "" : "note: " + report.message + "\n");
     write_shape(os, report, diagonal);
-    if(!is_mirrored && cuts_off())
+    if(!symmetry_plane && cuts_off())
       os << "note: the quads cut off much of the input; more of them"
          << (features.length > 0 ? "" : ", or features, as by --feature-angle,") << " keep it\n";
     write_edges(os);
@@ -350,6 +363,12 @@ struct Remesh_outcome
       os << "not kept, as faces would be flipped, or quads inverted or thin: "
          << counted(report.number_of_released_edges, "feature edge")
          << ", or parts of edges, of length " << report.length_of_released_edges << " in sum\n";
+    if(const auto& released = report.released_features; !released.empty())
+      os << "released by --feature-loss: " << counted(released.size(), "line")
+         << " of features, of length "
+         << std::accumulate(released.begin(), released.end(), 0.,
+                            [](const double sum, const auto& f) { return sum + f.length; })
+         << " in sum\n";
     ::write_summary(os, patches);
   }
 
@@ -395,6 +414,7 @@ struct Remesh_outcome
       {"median_size_deviation", report.median_size_deviation
                                   ? nlohmann::json(*report.median_size_deviation) : nullptr},
       {"median_turn_against_field", turn ? nlohmann::json(*turn) : nullptr},
+      {"symmetry_plane", json_of(symmetry_plane)},
       {"topology", json_of(topologies)},
       {"patches", json_of(patches)},
       {"length_of_features", features.length},
@@ -433,9 +453,8 @@ void remesh(const Arguments& arguments)
       os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
             "--features\n";
     os << std::flush; // before long work
-    const auto plane = symmetry_plane(options, model.mesh);
+    const auto& plane = outcome.symmetry_plane = symmetry_plane(options, model.mesh);
     os << note_on_plane(options, plane, model.mesh);
-    outcome.is_mirrored = plane.has_value();
     check_edge_length(options, model.mesh, sizes);
     QR::Remeshing_report& report = outcome.report;
     report = make_quads(options, model, directions, sizes, plane, quads);

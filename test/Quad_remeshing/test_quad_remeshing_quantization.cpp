@@ -2886,6 +2886,27 @@ void test_division()
   }
 }
 
+// What lies on the surface is looked for on the side of the quads, also below a thin plate.
+void test_side_of_plate()
+{
+  constexpr double thickness = 0.01;
+  Mesh plate, quads;
+  for(const double z : {0., thickness}) {
+    std::vector<Vertex> v;
+    for(const Point_3& p : {Point_3(0, 0, z), Point_3(1, 0, z), Point_3(1, 1, z), Point_3(0, 1, z)})
+      v.push_back(plate.add_vertex(p));
+    if(z == 0)
+      std::swap(v[1], v[3]);
+    plate.add_face(v[0], v[1], v[2]);
+    plate.add_face(v[0], v[2], v[3]);
+  }
+  const QR::internal::Quad_smoother smoother(quads, plate);
+  for(const double distance : {0.5 * thickness, 2 * thickness}) {
+    const auto face = smoother.nearest_face({{0.4, 0.3, -0.1}}, {{0, 0, 1}}, distance);
+    CHECK_EQUAL(smoother.normal_of_surface(face)[2] > 0, distance > thickness);
+  }
+}
+
 // Quads that are inverted or upside down, and held by features, are mended, in either precision.
 // \param has_to_relax whether that takes more than to mend each quad for itself
 // \param stays_in_plane where neighbors of the quads have to move as well
@@ -3310,6 +3331,7 @@ int main()
     test_thin_springs();
     test_attempt_without_features();
   test_border_in_steps();
+  test_side_of_plate();
     test_hopeless_features();
     test_tips();
     test_prisms();

@@ -83,23 +83,28 @@ inline std::optional<double> median_size_deviation(const Surface_to_remesh& inpu
   return *middle;
 }
 
+// On the side of the quads, up to half of their size away.
 inline Nearest_faces nearest_faces(const Surface_to_remesh& input,
                                    const Surface_to_remesh::Mesh& quads,
                                    const Located_elements located, const Quad_smoother& smoother)
 {
-  const auto number = [&](const Space_vector& place, const Space_vector& side)
-    { return input.original(smoother.nearest_face(place, side)); };
+  const auto number = [&](const Space_vector& place, const Space_vector& doubled_area_vector,
+                          const std::size_t number_of_quads) {
+    const double size = std::sqrt(norm(doubled_area_vector) / double(2 * number_of_quads));
+    return input.original(smoother.nearest_face(place, doubled_area_vector, size / 2));
+  };
   Nearest_faces result;
   if(located.vertices) {
     const auto visit = [](const auto&...) { };
     result.of_vertices.resize(quads.num_vertices());
     for(const auto v : quads.vertices())
-      result.of_vertices[v] = number(smoother.point(v), smoother.visit_star(v, visit).normal);
+      result.of_vertices[v] = number(smoother.point(v), smoother.visit_star(v, visit).normal,
+                                     quads.degree(v));
   }
   if(located.faces) {
     result.of_faces.resize(quads.num_faces());
     for(const auto f : quads.faces())
-      result.of_faces[f] = number(to_vector(middle(quads, f)), quad_normal(smoother.quad(f)));
+      result.of_faces[f] = number(to_vector(middle(quads, f)), quad_normal(smoother.quad(f)), 1);
   }
   return result;
 }

@@ -314,22 +314,11 @@ public:
   // Of two that lie on each other and face to opposite sides, as where bodies touch: the one that
   // faces to `side`.
   Face nearest_face(const Space_vector& p, const Space_vector& side) const
-  {
-    const auto [place, nearest] = tree().closest_point_and_primitive(to_point(p));
-    const Space_vector normal = scaled_to_one(normal_of_surface(nearest));
-    if(inner_product(normal, side) >= 0)
-      return nearest;
-    const Kernel::Vector_3 step(distance_of_same_place * normal[0],
-                                distance_of_same_place * normal[1],
-                                distance_of_same_place * normal[2]);
-    std::vector<Face> others;
-    m_tree.all_intersected_primitives(Kernel::Segment_3(place - step, place + step),
-                                      std::back_inserter(others));
-    const auto other = std::find_if(others.begin(), others.end(), [&](const Face f) {
-      return inner_product(scaled_to_one(normal_of_surface(f)), normal) < cosine_of_opposite_sides;
-    });
-    return other == others.end() ? nearest : *other;
-  }
+  { return nearest_face(p, side, distance_of_same_place, cosine_of_opposite_sides); }
+
+  // Also of two farther from each other, such as the sides of a plate that is thin against quads.
+  Face nearest_face(const Space_vector& p, const Space_vector& side, const double distance) const
+  { return nearest_face(p, side, distance, cosine_of_plate); }
 
   // The area vector, times two, of the triangle that is nearest to the middle of a quad.
   Space_vector normal_of_surface(const Quad& q) const
@@ -366,6 +355,36 @@ public:
   }
 
 private:
+  // \param largest_cosine of the angle between the normals of the two
+  Face nearest_face(const Space_vector& p, const Space_vector& side, const double distance,
+                    const double largest_cosine) const
+  {
+    const auto [place, nearest] = tree().closest_point_and_primitive(to_point(p));
+    const Space_vector normal = scaled_to_one(normal_of_surface(nearest));
+    if(inner_product(normal, side) >= 0)
+      return nearest;
+    const Kernel::Vector_3 step(distance * normal[0], distance * normal[1], distance * normal[2]);
+    std::vector<Face> others;
+    m_tree.all_intersected_primitives(Kernel::Segment_3(place - step, place + step),
+                                      std::back_inserter(others));
+    Face result = nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for(const Face f : others) {
+      const Space_vector other = scaled_to_one(normal_of_surface(f));
+      const double cosine = inner_product(other, normal);
+      if(!(cosine < largest_cosine && inner_product(other, side) > 0))
+        continue;
+      const Point& corner = m_surface.point(target(halfedge(f, m_surface), m_surface));
+      const Space_vector to_corner = vector_to(to_vector(place), to_vector(corner));
+      const double along_normal = std::abs(inner_product(to_corner, other) / cosine);
+      if(along_normal < least) {
+        least = along_normal;
+        result = f;
+      }
+    }
+    return result;
+  }
+
   const Tree& tree() const
   {
     ++m_number_of_searches;
@@ -376,7 +395,7 @@ private:
 
   static constexpr double well_shaped = 0.3; // as a scaled Jacobian
   static constexpr double distance_of_same_place = 1e-3; // on a surface of a size near 1
-  static constexpr double cosine_of_opposite_sides = -0.999;
+  static constexpr double cosine_of_opposite_sides = -0.999, cosine_of_plate = -0.1;
 
   void move(const Vertex v)
   {
