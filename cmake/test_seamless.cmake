@@ -883,6 +883,8 @@ endforeach()
 file(WRITE "${WORK_DIR}/plate.obj" "${plate}l 3 9 15 21 27\nl 10 16\n")
 seamless(0 remesh plate.obj plate_quads.obj --features --number 4 --feature-loss 0.25)
 expect_message("${out}" "released by --feature-loss: 1 line of features, of length 4 in sum")
+seamless(0 remesh plate.obj plate_quads.obj --number 4)
+expect_message("${out}" "note: not taken for features: 5 edges of 'l' elements; --features takes")
 
 # halves, mirrored
 foreach(arguments IN ITEMS "16;auto" "18;y" "40;1,0,0,-0.25")

@@ -263,6 +263,8 @@ Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
   repairs.faces_without_area = count_faces_without_area(model.mesh);
   if(with_features)
     mark_segments(soup, surface, model);
+  else
+    repairs.unused_segments = soup.segments.size();
   return repairs;
 }
 
@@ -346,6 +348,9 @@ void write_repairs(std::ostream& os, const std::string& filename, const Repairs&
     os << "note: inside of border edges, as of parts that are divided differently: "
        << counted(repairs.T_junctions, "border point")
        << ". The border stays open there; split these edges, if the surface is to go on\n";
+  if(repairs.unused_segments > 0)
+    os << "note: not taken for features: " << counted(repairs.unused_segments, "edge")
+       << " of 'l' elements; --features takes them\n";
 }
 
 nlohmann::json json_of(const Repairs& r)
@@ -368,5 +373,6 @@ nlohmann::json json_of(const Repairs& r)
                     {"faces_without_area", r.faces_without_area},
                     {"T_junctions", r.T_junctions},
                     {"near_border_points", r.near_points},
-                    {"distance_of_near_border_points", r.distance_of_near_points}}}};
+                    {"distance_of_near_border_points", r.distance_of_near_points},
+                    {"unused_segments", r.unused_segments}}}};
 }

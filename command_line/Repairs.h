@@ -35,6 +35,7 @@ struct Repairs
   std::size_t near_points = 0;        // of the border, almost in the place of others across a gap
   double distance_of_near_points = 0; // the largest of these
   std::size_t T_junctions = 0;        // points of the border inside of edges of the border
+  std::size_t unused_segments = 0;    // of 'l' elements that are not asked for
 
   // In words, separated by commas; empty if nothing was repaired. Points of no face are no fault.
   std::string in_words() const;
