@@ -83,6 +83,23 @@ double area_in_sizes(const Mesh& mesh, const Sizing_map& sizes)
   return result;
 }
 
+// That a few of them may be mistakes.
+std::string note_on_sizes(const Sizing_map& sizes, const Model& model)
+{
+  constexpr double much = 1000;
+  const auto vertices = model.mesh.vertices();
+  const auto [least, largest] =
+    std::minmax_element(vertices.begin(), vertices.end(),
+                        [&](const auto v, const auto w) { return sizes[v] < sizes[w]; });
+  if(least == vertices.end() || !(sizes[*largest] > much * sizes[*least]))
+    return {};
+  std::ostringstream os;
+  os << "note: sizes vary from " << sizes[*least] << ", number "
+     << model.file_vertices[*least] + 1 << ", to " << sizes[*largest] << ", number "
+     << model.file_vertices[*largest] + 1 << "; a single small one makes many quads\n";
+  return os.str();
+}
+
 struct Remesh_options
 {
   std::string input, output, field, sizes, symmetry, picture, patches, report;
@@ -446,6 +463,7 @@ void remesh(const Arguments& arguments)
     const Direction_map directions =
       read_directions(options.field, outcome.repairs, model.mesh, os);
     const Sizing_map sizes = read_sizes(options.sizes, options.input, outcome.repairs, model);
+    os << note_on_sizes(sizes, model);
     if(options.leaves_out_noise)
       options.features.length = options.wanted_length(model.mesh, sizes);
     outcome.features = options.features.mark(model, os);
