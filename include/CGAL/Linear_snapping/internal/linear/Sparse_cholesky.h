@@ -23,10 +23,15 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
+#include <vector>
+
 #ifdef CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE
 #include <Eigen/CholmodSupport>
 
+#include <algorithm>
+#include <cstddef>
 #include <mutex>
+#include <numeric>
 
 #if defined(__ELF__) && defined(__GNUC__)
 extern "C" { // null in programs without it
@@ -51,6 +56,10 @@ public:
   // of single numbers take three times as long.
   double number_of_multiplications()
   { return 3 * this->m_nonZerosPerCol.template cast<double>().squaredNorm(); }
+
+  using Eigen::SimplicialLDLT<Matrix>::analyzePattern;
+  void analyzePattern(const Matrix& matrix, const std::vector<int>& /* blocks */)
+  { analyzePattern(matrix); }
 };
 
 #ifdef CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE
@@ -142,6 +151,39 @@ public:
     Base::analyzePattern(matrix);
   }
 
+  // For very large ones: METIS, or AMD where that is better or the library has no METIS, orders
+  // blocks of unknowns, as the coordinates of one point, which are fewer.
+  // \param blocks the number of each unknown's block, from 0
+  void analyzePattern(const Matrix& matrix, const std::vector<int>& blocks)
+  {
+    std::vector<int> columns(blocks.size());
+    std::iota(columns.begin(), columns.end(), 0);
+    const auto sort_columns = [&](const std::vector<int>& key_of_block) {
+      std::stable_sort(columns.begin(), columns.end(), [&](const int i, const int j) {
+        return key_of_block[std::size_t(blocks[std::size_t(i)])] <
+               key_of_block[std::size_t(blocks[std::size_t(j)])];
+      });
+    };
+    std::vector<int> key(std::size_t(*std::max_element(blocks.begin(), blocks.end())) + 1);
+    std::iota(key.begin(), key.end(), 0);
+    sort_columns(key);
+
+    this->cholmod().nmethods = 2;
+    this->cholmod().method[0].ordering = CHOLMOD_METIS;
+    this->cholmod().method[1].ordering = CHOLMOD_AMD;
+    Base::analyzePattern(matrix_of_blocks(matrix, blocks, columns, key.size()));
+    const int* const order = static_cast<const int*>(this->m_cholmodFactor->Perm);
+    for(std::size_t k = 0; k < key.size(); ++k)
+      key[std::size_t(order[k])] = int(k);
+    sort_columns(key);
+    cholmod_free_factor(&this->m_cholmodFactor, &this->cholmod());
+    this->cholmod().nmethods = 1;
+    this->cholmod().method[0].ordering = CHOLMOD_GIVEN;
+    cholmod_sparse view = Eigen::viewAsCholmod(matrix.template selfadjointView<Eigen::Lower>());
+    this->m_cholmodFactor = cholmod_analyze_p(&view, columns.data(), nullptr, 0,
+                                              &this->cholmod());
+  }
+
   void factorize(const Matrix& matrix)
   {
     const One_blas_thread guard;
@@ -156,6 +198,26 @@ public:
   {
     const One_blas_thread guard;
     return Base::solve(b);
+  }
+
+private:
+  // Which blocks have entries between them: the lower triangle, as that of the matrix.
+  // \param columns sorted by their blocks
+  static Matrix matrix_of_blocks(const Matrix& matrix, const std::vector<int>& blocks,
+                                 const std::vector<int>& columns, const std::size_t number)
+  {
+    std::vector<Eigen::Triplet<double> > entries;
+    std::vector<int> last(number, -1); // block that has an entry with this one
+    for(const int j : columns)
+      for(typename Matrix::InnerIterator entry(matrix, j); entry; ++entry) {
+        const int i = blocks[std::size_t(entry.row())], k = blocks[std::size_t(j)];
+        if(last[std::size_t(i)] != k)
+          entries.emplace_back((std::max)(i, k), (std::min)(i, k), 1);
+        last[std::size_t(i)] = k;
+      }
+    Matrix result{Eigen::Index(number), Eigen::Index(number)};
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
   }
 };
 

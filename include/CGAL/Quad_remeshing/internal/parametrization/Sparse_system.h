@@ -33,6 +33,7 @@
 #include <cstddef>
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -72,6 +73,10 @@ public:
     return m_sum;
   }
 
+  // Of each column: those of a block are near to each other in the order of elimination.
+  const std::vector<int>& blocks() const { return m_blocks; }
+  void set_blocks(std::vector<int> blocks) { m_blocks = std::move(blocks); }
+
   // \pre the matrix is compressed
   void set_zero() { m_sum.coeffs().setZero(); }
   void enlarge_diagonal(const double factor) { m_sum.diagonal() *= factor; }
@@ -89,6 +94,7 @@ private:
 
   std::vector<Eigen::Triplet<double> > m_terms;
   Compressed m_sum;
+  std::vector<int> m_blocks;
   std::size_t m_most_terms;
   bool m_is_compressed = false;
 };
@@ -109,7 +115,10 @@ public:
     if(!has_pattern()) {
       m_columns.assign(m_mat->outerIndexPtr(), m_mat->outerIndexPtr() + m_mat->outerSize() + 1);
       m_rows.assign(m_mat->innerIndexPtr(), m_mat->innerIndexPtr() + m_mat->nonZeros());
-      solver().analyzePattern(*m_mat);
+      if(matrix.blocks().empty())
+        solver().analyzePattern(*m_mat);
+      else
+        solver().analyzePattern(*m_mat, matrix.blocks());
     }
     solver().factorize(*m_mat);
     return solver().info() == Eigen::Success;
@@ -228,6 +237,8 @@ public:
   { }
 
   std::size_t dimension() const { return m_dimension; }
+
+  void set_blocks(std::vector<int> blocks) { m_matrix->set_blocks(std::move(blocks)); }
 
   // After `factor()`, for a matrix of other values, at the same places.
   void set_zero() { m_matrix->set_zero(); }
