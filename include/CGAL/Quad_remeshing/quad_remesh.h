@@ -242,7 +242,8 @@ features and border. Where features are released, vertices displaced, or quads i
 mean scaled Jacobian is less than 0.95, all is made once more with large triangles divided, too,
 which leave a map no room between features: those longer than four such sides, if they and the long
 ones cover a quarter of the area, and 70 % of the work is left (see below). Of the two results, that
-is taken that is better as above.
+is taken that is better as above, with `minimize_number_of_quads` the first one if it has fewer
+quads.
 Where corners of the border are left out, and quads are inverted or vertices displaced, or the mean
 scaled Jacobian is less than 0.9, all is made once more with all corners, if 70 % of the work is
 left; that is taken if it is better, with at most 1.2 times as many quads. Where no quads are found
@@ -505,26 +506,29 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
   const auto make_quads = [&](auto& result, const auto& is_feature, auto options) {
     const auto copy = [&] { return surface_to_remesh(tmesh, parameters, mirror_of(parameters)); };
     const Work& work = *options.quantization.work;
-    constexpr double any_number = std::numeric_limits<double>::infinity();
+    const auto most_quads = [&](const Remeshing_report& before) {
+      return before && options.quantization.is_coarsest ? double(before.number_of_quads)
+                                                        : std::numeric_limits<double>::infinity();
+    };
     Surface_to_remesh surface = copy();
     const bool is_refined = surface.refine(true);
     Remeshing_report report = remesh(surface, options, result, is_feature);
     if(has_flaws(report) && work.is_mostly_left()) {
       Surface_to_remesh finer = copy();
       if(finer.refine(false) && finer.mesh().number_of_faces() > surface.mesh().number_of_faces())
-        report = remesh_again(finer, options, report, any_number, result, is_feature);
+        report = remesh_again(finer, options, report, most_quads(report), result, is_feature);
     }
     options.border_tolerance = 0;
     if(has_flaws_at_border(report) && work.is_mostly_left()) {
       Surface_to_remesh other = copy();
       other.refine(true);
-      report = remesh_again(other, options, report, 1.2 * double(report.number_of_quads), result,
-                            is_feature);
+      const double most = (std::min)(1.2 * double(report.number_of_quads), most_quads(report));
+      report = remesh_again(other, options, report, most, result, is_feature);
     }
     if(report || !(is_refined || surface.number_of_corners_left_out() > 0) || !work.is_left())
       return report;
     Surface_to_remesh input = copy();
-    return remesh_again(input, options, report, any_number, result, is_feature);
+    return remesh_again(input, options, report, most_quads(report), result, is_feature);
   };
   return write_quads(tmesh, quads, parameters, strip(np2), true, make_quads);
 }
