@@ -1,7 +1,7 @@
 // How the time and the memory of quad_remesh() grow with the number of faces: for each mesh, rounds
 // of Loop subdivision, and a tenth as many quads as faces. Each size runs in a process of its own.
 //
-//   remeshing_growth [--subdivide N...] MESH_OR_FOLDER...
+//   remeshing_growth [--subdivide N]... MESH_OR_FOLDER...
 //
 // The columns: faces, seconds of the processor (of the user, without reading and subdividing), the
 // exponent of the number of faces by which they grow from the row before, quads, irregular
