@@ -2477,11 +2477,9 @@ void test_double_pyramid()
   const auto np = parameters::edge_is_constrained_map(is_feature);
   const auto report =
     QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(180));
-  const std::array<std::size_t, 7> few{60, 70, 80, 90, 100, 110, 120};
-  CHECK(std::any_of(few.begin(), few.end(), [&](const std::size_t wanted) {
-    return QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(wanted))
-             .message.find("quads were found, too, but in a worse shape") != std::string::npos;
-  }));
+  const auto few = QR::quad_remesh(mesh, *std::make_unique<Mesh>(), np.target_number_of_quads(90));
+  CHECK_IN(few.message, few.message.find("quads were found, too, but in a worse shape") !=
+                          std::string::npos);
   std::cout << "double pyramid: " << report.number_of_quads << " quads, mean scaled Jacobian "
             << report.mean_scaled_jacobian << std::endl;
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.94);
@@ -2538,8 +2536,7 @@ void test_attempt_without_features()
             << " edges, " << report.number_of_released_edges << " edges released" << std::endl;
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.9);
   CHECK_IN(std::to_string(number_left_out), number_left_out > 0 && number_left_out < 3 * n / 2);
-  if(report.number_of_released_edges > 0) // else the first one is better all the same
-    CHECK(report.number_of_thin_quads == 0 && report.number_of_displaced_vertices == 0);
+  CHECK(report.number_of_thin_quads == 0 && report.number_of_displaced_vertices == 0);
   CHECK(report.length_of_released_edges < length / 8);
   double kept = 0;
   for(const auto e : quads.edges()) {
@@ -3330,8 +3327,8 @@ int main()
     test_twisted_tubes();
     test_thin_springs();
     test_attempt_without_features();
-  test_border_in_steps();
-  test_side_of_plate();
+    test_border_in_steps();
+    test_side_of_plate();
     test_hopeless_features();
     test_tips();
     test_prisms();
