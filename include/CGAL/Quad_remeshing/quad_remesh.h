@@ -109,7 +109,7 @@ inline bool has_flaws_at_border(const Remeshing_report& report)
 }
 
 // Makes them of another copy of the surface; those that were made before stay if they are better,
-// or the others more than `most_quads`.
+// or the others more than `most_quads`, or more at all where there are to be as few as can be.
 Remeshing_report remesh_again(Surface_to_remesh& surface, const Remeshing_options& options,
                               const Remeshing_report& before, double most_quads,
                               Surface_to_remesh::Mesh& quads,
@@ -506,29 +506,26 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
   const auto make_quads = [&](auto& result, const auto& is_feature, auto options) {
     const auto copy = [&] { return surface_to_remesh(tmesh, parameters, mirror_of(parameters)); };
     const Work& work = *options.quantization.work;
-    const auto most_quads = [&](const Remeshing_report& before) {
-      return before && options.quantization.is_coarsest ? double(before.number_of_quads)
-                                                        : std::numeric_limits<double>::infinity();
-    };
+    constexpr double any_number = std::numeric_limits<double>::infinity();
     Surface_to_remesh surface = copy();
     const bool is_refined = surface.refine(true);
     Remeshing_report report = remesh(surface, options, result, is_feature);
     if(has_flaws(report) && work.is_mostly_left()) {
       Surface_to_remesh finer = copy();
       if(finer.refine(false) && finer.mesh().number_of_faces() > surface.mesh().number_of_faces())
-        report = remesh_again(finer, options, report, most_quads(report), result, is_feature);
+        report = remesh_again(finer, options, report, any_number, result, is_feature);
     }
     options.border_tolerance = 0;
     if(has_flaws_at_border(report) && work.is_mostly_left()) {
       Surface_to_remesh other = copy();
       other.refine(true);
-      const double most = (std::min)(1.2 * double(report.number_of_quads), most_quads(report));
-      report = remesh_again(other, options, report, most, result, is_feature);
+      report = remesh_again(other, options, report, 1.2 * double(report.number_of_quads), result,
+                            is_feature);
     }
     if(report || !(is_refined || surface.number_of_corners_left_out() > 0) || !work.is_left())
       return report;
     Surface_to_remesh input = copy();
-    return remesh_again(input, options, report, most_quads(report), result, is_feature);
+    return remesh_again(input, options, report, any_number, result, is_feature);
   };
   return write_quads(tmesh, quads, parameters, strip(np2), true, make_quads);
 }

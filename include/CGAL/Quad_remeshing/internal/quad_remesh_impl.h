@@ -637,10 +637,12 @@ Remeshing_report remesh_again(Surface_to_remesh& surface, const Remeshing_option
 {
   Remeshing_report best = before;
   const Is_better is_better(surface);
+  const double most = before && options.quantization.is_coarsest
+                        ? (std::min)(most_quads, double(before.number_of_quads)) : most_quads;
   make_others([&](auto& mesh, const auto& is_kept)
               { return remesh(surface, options, mesh, is_kept); },
               [&](const Remeshing_report& a, const Remeshing_report& b)
-              { return double(a.number_of_quads) <= most_quads && is_better(a, b); },
+              { return double(a.number_of_quads) <= most && is_better(a, b); },
               quads, is_feature, best);
   return best;
 }

@@ -47,6 +47,9 @@ namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
 
+// From so many unknowns on, METIS is worth the time that it takes to order them.
+constexpr int very_large_system = 500000;
+
 // Works on single numbers, which takes less time where the factor has few.
 template <typename Matrix>
 class Simplicial_cholesky : public Eigen::SimplicialLDLT<Matrix>
@@ -145,8 +148,8 @@ public:
   // again: the factor has a third less numbers.
   void analyzePattern(const Matrix& matrix)
   {
-    constexpr int large = 110000, very_large = 500000;
-    this->cholmod().nmethods = matrix.cols() > large && matrix.cols() <= very_large ? 1 : 0;
+    constexpr int large = 110000;
+    this->cholmod().nmethods = matrix.cols() > large && matrix.cols() <= very_large_system ? 1 : 0;
     this->cholmod().method[0].ordering = CHOLMOD_AMD;
     Base::analyzePattern(matrix);
   }

@@ -141,9 +141,8 @@ inline void factor_poisson(const Triangle_surface& surface, const Surface_comple
 {
   const auto weight_of = [&](const Corner_index h)
   { return cotangent_weight(surface, weights, h); };
-  constexpr std::size_t very_large = 500000;
   Sparse_row row;
-  if(system.dimension() > very_large)
+  if(system.dimension() > std::size_t(very_large_system))
     system.set_blocks(blocks_of_unknowns(complex, table, system.dimension()));
   if(table.has_long_sums()) {
     add_product(surface, complex, table, weight_of, system);
