@@ -4,8 +4,17 @@
 #define QUAD_REMESHING_BENCHMARK_QUAD_MEASURES_H
 
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+
+#include <CGAL/AABB_tree.h>
+#include <CGAL/version_macros.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -19,6 +28,14 @@ namespace benchmark {
 
 using Kernel = CGAL::Quad_remeshing::internal::Surface_to_remesh::Kernel;
 using Triangles = std::vector<Kernel::Triangle_3>;
+
+#if CGAL_VERSION_NR >= 1060000000
+using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>;
+using Search_tree = CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive> >;
+#else
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using Search_tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> >;
+#endif
 
 // All polygons have the same number of corners, 3 or 4.
 struct Polygon_soup
@@ -114,8 +131,7 @@ struct Shape_of_quads
 // The largest distance of points of one surface, `step` apart, from another one.
 inline double one_sided_distance(const Triangles& from, const Triangles& to, const double step)
 {
-  using Primitive = CGAL::Quad_remeshing::internal::Triangle_primitive<Triangles::const_iterator>;
-  CGAL::Quad_remeshing::internal::Search_tree<Primitive> tree(to.begin(), to.end());
+  Search_tree tree(to.begin(), to.end());
   tree.accelerate_distance_queries();
   double largest = 0;
   for(const Kernel::Triangle_3& t : from) {

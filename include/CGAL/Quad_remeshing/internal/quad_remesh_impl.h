@@ -317,7 +317,7 @@ private:
 
   static double work_of(const Quad_smoother& smoother)
   {
-    constexpr double of_search = 2;
+    constexpr double of_search = 1;
     return of_search * double(smoother.number_of_searches());
   }
 

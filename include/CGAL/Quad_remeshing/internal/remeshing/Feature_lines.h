@@ -17,10 +17,10 @@
 
 // The features and borders of a surface as lines that points can slide along.
 
-#include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Nearest_place_tree.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Space_vector.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
 
-#include <CGAL/AABB_halfedge_graph_segment_primitive.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <cmath>
@@ -60,16 +60,17 @@ inline bool goes_straight(const Surface_to_remesh::Mesh& quads,
 class Feature_lines
   : private Remeshing_types
 {
-  using Tree = Search_tree<CGAL::AABB_halfedge_graph_segment_primitive<Mesh> >;
-
 public:
   explicit Feature_lines(const Surface_to_remesh& surface) : m_surface(surface)
   {
-    std::vector<Edge> edges;
+    std::vector<Space_segment> segments;
     for(const Edge e : mesh().edges())
-      if(is_on_line(e))
-        edges.push_back(e);
-    m_tree.rebuild(edges.begin(), edges.end(), mesh());
+      if(is_on_line(e)) {
+        const Halfedge h = mesh().halfedge(e);
+        segments.push_back({to_vector(source(h)), to_vector(target(h))});
+        m_halfedges.push_back(h);
+      }
+    m_tree = Nearest_place_tree<Space_segment>(segments);
   }
 
   // Where a point of a line comes to if it goes by a length; nothing where the line ends before, or
@@ -79,7 +80,7 @@ public:
   {
     if(m_tree.empty())
       return std::nullopt;
-    Halfedge h = mesh().halfedge(m_tree.closest_point_and_primitive(p).second);
+    Halfedge h = m_halfedges[m_tree.nearest(to_vector(p)).element];
     if((towards - p) * (target(h) - source(h)) < 0)
       h = mesh().opposite(h);
     Point at = p;
@@ -97,7 +98,8 @@ public:
   }
 
   // \pre there are lines
-  double squared_distance(const Point& p) const { return m_tree.squared_distance(p); }
+  double squared_distance(const Point& p) const
+  { return m_tree.nearest(to_vector(p)).squared_distance; }
 
 private:
   const Mesh& mesh() const { return m_surface.mesh(); }
@@ -120,7 +122,8 @@ private:
   }
 
   const Surface_to_remesh& m_surface;
-  Tree m_tree;
+  Nearest_place_tree<Space_segment> m_tree;
+  std::vector<Halfedge> m_halfedges; // of its segments
 };
 
 } // namespace internal

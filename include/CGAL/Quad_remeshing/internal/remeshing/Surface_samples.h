@@ -19,7 +19,7 @@
 // where their vertices lie elsewhere. What the places ask of a vertex is a quadratic form of its
 // displacement, as the squared distances of their tangent planes from what moves with it.
 
-#include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Nearest_place_tree.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 
 #include <CGAL/hilbert_sort.h>
@@ -73,25 +73,26 @@ struct Distance_form
 class Surface_samples
   : private Remeshing_types
 {
-  using Triangle = Kernel::Triangle_3;
+  using Tree = Nearest_place_tree<Space_triangle>;
 
 public:
   // Spread evenly over the area.
   Surface_samples(const Mesh& surface, const std::size_t number) : m_surface(surface)
   {
-    std::vector<Triangle> triangles;
+    std::vector<Space_triangle> triangles;
     for(const auto f : faces(surface)) {
       const auto h = halfedge(f, surface);
-      triangles.emplace_back(surface.point(source(h, surface)), surface.point(target(h, surface)),
-                             surface.point(target(next(h, surface), surface)));
-      m_area += std::sqrt(triangles.back().squared_area());
+      triangles.push_back({to_vector(surface.point(source(h, surface))),
+                           to_vector(surface.point(target(h, surface))),
+                           to_vector(surface.point(target(next(h, surface), surface)))});
+      m_area += norm(area_vector(triangles.back())) / 2;
     }
     std::size_t f = 0;
     double area_so_far = 0; // of the faces before f
     for(std::size_t k = 0; k < number; ++k) {
       const double goal = (double(k) + 0.5) / double(number) * m_area;
       for(double area; f + 1 < triangles.size() &&
-                       area_so_far + (area = std::sqrt(triangles[f].squared_area())) < goal; ++f)
+                       area_so_far + (area = norm(area_vector(triangles[f])) / 2) < goal; ++f)
         area_so_far += area;
       add(triangles[f], k);
     }
@@ -103,30 +104,29 @@ public:
   std::vector<Distance_form> distance_forms(const Mesh& quads, const bool far_ones_count_more) const
   {
     std::vector<Distance_form> forms(quads.number_of_vertices());
-    std::vector<Triangle> triangles;
+    std::vector<Space_triangle> triangles;
     std::vector<std::array<Vertex, 3> > corners;
     add_triangles(quads, triangles, corners);
     if(triangles.empty() || m_places.empty())
       return forms;
-    Tree tree(triangles.begin(), triangles.end());
-    tree.accelerate_distance_queries();
+    const Tree tree(triangles);
     const double quads_of_each = double(quads.number_of_faces()) / double(m_places.size());
     const double scale = quads_of_each * double(quads.number_of_faces()) / m_area;
     for(const Place& place : m_places) {
-      const auto [p, it] = tree.closest_point_and_primitive(place.point);
-      const Kernel::Vector_3 normal =
-        CGAL::cross_product((*it)[1] - (*it)[0], (*it)[2] - (*it)[0]);
-      if(normal * place.normal <= 0) // the other side of a thin part
+      const auto nearest = tree.nearest(place.point);
+      const Space_vector& p = nearest.point;
+      const Space_triangle& t = triangles[nearest.element];
+      const Space_vector area = area_vector(t);
+      if(inner_product(area, place.normal) <= 0) // the other side of a thin part
         continue;
-      const double distance = scale / quads_of_each * CGAL::squared_distance(place.point, p);
+      const double distance = scale / quads_of_each * nearest.squared_distance;
       const double weight = scale * (far_ones_count_more ? 1 + distance : 1);
-      const Kernel::Vector_3 n = std::sqrt(weight) * place.normal;
+      const Space_vector n = between({}, place.normal, std::sqrt(weight));
       for(std::size_t i = 0; i < 3; ++i) {
-        const Kernel::Vector_3 across = CGAL::cross_product((*it)[int(i + 1) % 3] - p,
-                                                            (*it)[int(i + 2) % 3] - p);
-        const double share = across * normal / normal.squared_length();
-        forms[corners[std::size_t(it - triangles.cbegin())][i]]
-          .add({n.x(), n.y(), n.z()}, share, n * (place.point - p));
+        const Space_vector across = area_vector({p, t[(i + 1) % 3], t[(i + 2) % 3]});
+        const double share = inner_product(across, area) / inner_product(area, area);
+        forms[corners[nearest.element][i]].add(n, share,
+                                               inner_product(n, vector_to(p, place.point)));
       }
     }
     return forms;
@@ -136,37 +136,34 @@ public:
   // no search: the triangle that was found last is near enough.
   double largest_distance(const Mesh& quads) const
   {
-    std::vector<Triangle> triangles;
+    std::vector<Space_triangle> triangles;
     std::vector<std::array<Vertex, 3> > corners;
     add_triangles(quads, triangles, corners);
     if(triangles.empty())
       return std::numeric_limits<double>::infinity();
-    Tree tree(triangles.begin(), triangles.end());
-    tree.accelerate_distance_queries();
+    const Tree tree(triangles);
     double largest = 0;
-    auto last = triangles.cbegin();
-    const auto project = Kernel().construct_projected_point_3_object();
+    std::size_t last = 0;
     std::vector<Point> points;
     for(const Place& place : m_places)
-      points.push_back(place.point);
+      points.push_back(to_point(place.point));
     for(const Vertex v : vertices(m_surface))
       if(!m_surface.is_isolated(v))
         points.push_back(m_surface.point(v));
     CGAL::hilbert_sort(points.begin(), points.end(), CGAL::Hilbert_sort_middle_policy());
-    for(const Point& p : points)
-      if(CGAL::squared_distance(p, project(*last, p)) > largest) {
-        const auto [nearest, triangle] = tree.closest_point_and_primitive(p);
-        largest = (std::max)(largest, CGAL::squared_distance(p, nearest));
-        last = triangle;
+    for(const Point& point : points)
+      if(const Space_vector p = to_vector(point);
+         squared_distance(p, nearest_place(p, triangles[last])) > largest) {
+        const auto nearest = tree.nearest(p);
+        largest = (std::max)(largest, nearest.squared_distance);
+        last = nearest.element;
       }
     return std::sqrt(largest);
   }
 
 private:
-  using Tree = Search_tree<Triangle_primitive<std::vector<Triangle>::const_iterator> >;
-
   // The k-th place, in the triangle where it falls. Successive ones lie far apart in triangles.
-  void add(const Triangle& t, const std::size_t k)
+  void add(const Space_triangle& t, const std::size_t k)
   {
     double x = std::fmod(0.7548776662466927 * double(k), 1);
     double y = std::fmod(0.5698402909980532 * double(k), 1);
@@ -174,21 +171,25 @@ private:
       x = 1 - x;
       y = 1 - y;
     }
-    const Kernel::Vector_3 u = t[1] - t[0], v = t[2] - t[0], n = CGAL::cross_product(u, v);
-    const double length = std::sqrt(n.squared_length());
-    if(length > 0)
-      m_places.push_back({t[0] + x * u + y * v, n / length});
+    const Space_vector normal = scaled_to_one(area_vector(t));
+    if(normal == Space_vector{})
+      return;
+    Space_vector p = t[0];
+    for(std::size_t c = 0; c < 3; ++c)
+      p[c] += x * (t[1][c] - t[0][c]) + y * (t[2][c] - t[0][c]);
+    m_places.push_back({p, normal});
   }
 
-  static void add_triangles(const Mesh& quads, std::vector<Triangle>& triangles,
+  static void add_triangles(const Mesh& quads, std::vector<Space_triangle>& triangles,
                             std::vector<std::array<Vertex, 3> >& corners)
   {
     for(const auto f : faces(quads))
       for(const auto h : {halfedge(f, quads), next(next(halfedge(f, quads), quads), quads)}) {
         const std::array<Vertex, 3> v{source(h, quads), target(h, quads),
                                       target(next(h, quads), quads)};
-        const Triangle t(quads.point(v[0]), quads.point(v[1]), quads.point(v[2]));
-        if(t.squared_area() > 0) {
+        const Space_triangle t{to_vector(quads.point(v[0])), to_vector(quads.point(v[1])),
+                               to_vector(quads.point(v[2]))};
+        if(area_vector(t) != Space_vector{}) {
           triangles.push_back(t);
           corners.push_back(v);
         }
@@ -197,8 +198,8 @@ private:
 
   struct Place
   {
-    Kernel::Point_3 point;
-    Kernel::Vector_3 normal; // of length 1
+    Space_vector point;
+    Space_vector normal; // of length 1
   };
 
   const Mesh& m_surface;

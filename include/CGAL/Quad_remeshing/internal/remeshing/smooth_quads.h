@@ -21,40 +21,22 @@
 #include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/Search_tree.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Nearest_place_tree.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Space_vector.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
-
-using Space_vector = std::array<double, 3>;
-
-inline Space_vector to_vector(const Remeshing_types::Point& p) { return {p.x(), p.y(), p.z()}; }
-inline Remeshing_types::Point to_point(const Space_vector& p) { return {p[0], p[1], p[2]}; }
-
-inline Space_vector between(const Space_vector& a, const Space_vector& b, const double part)
-{
-  return {a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2])};
-}
-inline double norm(const Space_vector& a) { return std::hypot(a[0], a[1], a[2]); }
-
-inline Space_vector scaled_to_one(const Space_vector& a)
-{
-  const double n = norm(a);
-  return n > 0 ? Space_vector{a[0] / n, a[1] / n, a[2] / n} : Space_vector{};
-}
 
 // The area vector of a quad, times two.
 inline Space_vector quad_normal(const Quad_in_space& q) { return area_vector<double>(q); }
@@ -127,24 +109,24 @@ inline Space_vector upper_side_or_own(const Quad_in_space& q,
 class Quad_smoother
   : public Remeshing_types
 {
-  using Tree = Search_tree<CGAL::AABB_face_graph_triangle_primitive<Mesh> >;
-
 public:
   Quad_smoother(Mesh& quads, const Mesh& surface)
     : m_quads(quads), m_surface(surface),
       m_upper_sides(quads.add_property_map<Face, Space_vector>("f:upper_side").first)
   {
-    const auto point = [&](const Mesh::Halfedge_index h)
-    { return surface.point(surface.target(h)); };
-    std::vector<Face> triangles; // CGAL intersects none without area, whose points others have, too
-    for(const Face f : faces(surface))
-      if(const auto h = halfedge(f, surface);
-         !CGAL::collinear(point(h), point(next(h, surface)), point(prev(h, surface))))
-        triangles.push_back(f);
+    std::vector<Space_triangle> triangles;
+    const auto add_if = [&](const auto& is_wanted) {
+      for(const Face f : surface.faces())
+        if(const Space_triangle t = triangle(f); is_wanted(t)) {
+          triangles.push_back(t);
+          m_searched.push_back(f);
+        }
+    };
+    add_if([](const Space_triangle& t) // the points of others lie on these, too
+           { return !CGAL::collinear(to_point(t[0]), to_point(t[1]), to_point(t[2])); });
     if(triangles.empty())
-      triangles.assign(faces(surface).begin(), faces(surface).end());
-    m_tree.insert(triangles.begin(), triangles.end(), surface);
-    m_tree.accelerate_distance_queries();
+      add_if([](const Space_triangle&) { return true; });
+    m_tree = Tree(triangles);
   }
 
   // For the nearest places on the surface, which take most of the time.
@@ -302,14 +284,14 @@ public:
 
   // The nearest point of the surface.
   Space_vector nearest(const Space_vector& p) const
-  { return to_vector(tree().closest_point(to_point(p))); }
+  { return tree().nearest(p).point; }
 
   // The same, faster: the search begins at another point of the surface.
   Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
-  { return to_vector(tree().closest_point(to_point(p), to_point(near_by))); }
+  { return tree().nearest(p, near_by); }
 
   Face nearest_face(const Space_vector& p) const
-  { return tree().closest_point_and_primitive(to_point(p)).second; }
+  { return m_searched[tree().nearest(p).element]; }
 
   // Of two that lie on each other and face to opposite sides, as where bodies touch: the one that
   // faces to `side`.
@@ -330,14 +312,7 @@ public:
     return normal_of_surface(nearest_face(middle, quad_normal(q)));
   }
 
-  Space_vector normal_of_surface(const Face f) const
-  {
-    std::array<Space_vector, 3> t;
-    std::size_t i = 0;
-    for(const auto v : CGAL::vertices_around_face(halfedge(f, m_surface), m_surface))
-      t[i++] = to_vector(m_surface.point(v));
-    return vector_product(vector_to(t[0], t[1]), vector_to(t[0], t[2]));
-  }
+  Space_vector normal_of_surface(const Face f) const { return area_vector(triangle(f)); }
 
   // Of a surface that is a plane, or parallel ones that face to one side; else 0.
   Space_vector unit_normal_of_plane() const
@@ -355,33 +330,49 @@ public:
   }
 
 private:
+  using Tree = Nearest_place_tree<Space_triangle>;
+
+  Space_triangle triangle(const Face f) const
+  {
+    Space_triangle result;
+    std::size_t i = 0;
+    for(const auto v : CGAL::vertices_around_face(halfedge(f, m_surface), m_surface))
+      result[i++] = to_vector(m_surface.point(v));
+    return result;
+  }
+
   // \param largest_cosine of the angle between the normals of the two
   Face nearest_face(const Space_vector& p, const Space_vector& side, const double distance,
                     const double largest_cosine) const
   {
-    const auto [place, nearest] = tree().closest_point_and_primitive(to_point(p));
+    const auto place = tree().nearest(p);
+    const Face nearest = m_searched[place.element];
     const Space_vector normal = scaled_to_one(normal_of_surface(nearest));
     if(inner_product(normal, side) >= 0)
       return nearest;
-    const Kernel::Vector_3 step(distance * normal[0], distance * normal[1], distance * normal[2]);
-    std::vector<Face> others;
-    m_tree.all_intersected_primitives(Kernel::Segment_3(place - step, place + step),
-                                      std::back_inserter(others));
+    Space_segment s;
+    for(std::size_t c = 0; c < 3; ++c) {
+      s[0][c] = place.point[c] - distance * normal[c];
+      s[1][c] = place.point[c] + distance * normal[c];
+    }
+    const Kernel::Segment_3 segment(to_point(s[0]), to_point(s[1]));
     Face result = nearest;
     double least = std::numeric_limits<double>::infinity();
-    for(const Face f : others) {
-      const Space_vector other = scaled_to_one(normal_of_surface(f));
+    m_tree.visit_near(s, [&](const std::size_t i) {
+      const Space_triangle t = triangle(m_searched[i]);
+      const Space_vector other = scaled_to_one(normal_of_surface(m_searched[i]));
       const double cosine = inner_product(other, normal);
-      if(!(cosine < largest_cosine && inner_product(other, side) > 0))
-        continue;
-      const Point& corner = m_surface.point(target(halfedge(f, m_surface), m_surface));
-      const Space_vector to_corner = vector_to(to_vector(place), to_vector(corner));
-      const double along_normal = std::abs(inner_product(to_corner, other) / cosine);
+      if(!(cosine < largest_cosine && inner_product(other, side) > 0) ||
+         !CGAL::do_intersect(segment, Kernel::Triangle_3(to_point(t[0]), to_point(t[1]),
+                                                         to_point(t[2]))))
+        return;
+      const double along_normal =
+        std::abs(inner_product(vector_to(place.point, t[0]), other) / cosine);
       if(along_normal < least) {
         least = along_normal;
-        result = f;
+        result = m_searched[i];
       }
-    }
+    });
     return result;
   }
 
@@ -427,6 +418,7 @@ private:
   const Mesh& m_surface;
   Mesh::Property_map<Face, Space_vector> m_upper_sides;
   Tree m_tree;
+  std::vector<Face> m_searched; // those of its triangles
   mutable std::size_t m_number_of_searches = 0;
   std::vector<Face> m_faces;           // scratch
   std::vector<Space_vector> m_normals; // scratch: of these faces

@@ -1,0 +1,265 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_NEAREST_PLACE_TREE_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_NEAREST_PLACE_TREE_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Finds the nearest place on triangles or segments. These searches take most of the time of
+// smoothing, and half to three quarters of it with `CGAL::AABB_tree` would be lost: it does not
+// visit the nearer of two boxes first, and makes each triangle from the mesh at each visit.
+
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Space_vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+using Space_segment = std::array<Space_vector, 2>;
+using Space_triangle = std::array<Space_vector, 3>;
+
+// Times two.
+inline Space_vector area_vector(const Space_triangle& t)
+{ return vector_product(vector_to(t[0], t[1]), vector_to(t[0], t[2])); }
+
+inline double squared_distance(const Space_vector& a, const Space_vector& b)
+{
+  const Space_vector d = vector_to(a, b);
+  return inner_product(d, d);
+}
+
+inline Space_vector nearest_place(const Space_vector& p, const Space_segment& s)
+{
+  const Space_vector side = vector_to(s[0], s[1]);
+  const double along = inner_product(vector_to(s[0], p), side);
+  const double length = inner_product(side, side);
+  return along <= 0 ? s[0] : along < length ? between(s[0], s[1], along / length) : s[1];
+}
+
+// On the triangle, up to rounding, also if it is a sliver.
+inline Space_vector nearest_place(const Space_vector& p, const Space_triangle& t)
+{
+  const Space_vector normal = area_vector(t);
+  const std::array<Space_vector, 3> d{vector_to(p, t[0]), vector_to(p, t[1]), vector_to(p, t[2])};
+  std::array<double, 3> part; // areas, as seen along the normal; that opposite to a corner
+  double least = std::numeric_limits<double>::infinity();
+  Space_vector result = t[0];
+  for(std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    part[i] = inner_product(vector_product(d[j], d[k]), normal);
+    if(part[i] <= 0) {
+      const Space_vector q = nearest_place(p, Space_segment{t[j], t[k]});
+      if(const double squared = squared_distance(p, q); squared < least) {
+        least = squared;
+        result = q;
+      }
+    }
+  }
+  if(part[0] > 0 && part[1] > 0 && part[2] > 0) { // so planes of a coordinate stay such
+    const double sum = part[0] + part[1] + part[2];
+    for(std::size_t c = 0; c < 3; ++c)
+      result[c] += part[1] / sum * (t[1][c] - t[0][c]) + part[2] / sum * (t[2][c] - t[0][c]);
+  }
+  return result;
+}
+
+// Boxes around the elements, and around halves of them.
+// \tparam Element `Space_segment` or `Space_triangle`
+template <typename Element>
+class Nearest_place_tree
+{
+public:
+  struct Place
+  {
+    Space_vector point;
+    std::size_t element = 0; // its number
+    double squared_distance = std::numeric_limits<double>::infinity();
+  };
+
+  // \pre there are fewer than 2^32
+  explicit Nearest_place_tree(const std::vector<Element>& elements = {})
+    : m_elements(elements), m_numbers(elements.size())
+  {
+    std::iota(m_numbers.begin(), m_numbers.end(), Index(0));
+    if(elements.empty())
+      return;
+    m_nodes.reserve(elements.size());
+    m_nodes.emplace_back();
+    build(0, 0, Index(elements.size()), elements);
+    for(std::size_t i = 0; i < m_numbers.size(); ++i)
+      m_elements[i] = elements[m_numbers[i]];
+  }
+
+  bool empty() const { return m_elements.empty(); }
+
+  // \pre not empty
+  Place nearest(const Space_vector& p) const
+  {
+    Place result;
+    search(m_nodes.front(), p, result);
+    result.element = m_numbers[result.element];
+    return result;
+  }
+
+  // The same, faster: the search begins at a place that is known.
+  Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
+  {
+    Place result{near_by, 0, squared_distance(p, near_by)};
+    search(m_nodes.front(), p, result);
+    return result.point;
+  }
+
+  // Calls visit(number) for the elements whose box meets that of a segment.
+  template <typename Visit>
+  void visit_near(const Space_segment& s, const Visit& visit) const
+  {
+    Box box;
+    box.extend(s);
+    if(!empty())
+      visit_near(m_nodes.front(), box, visit);
+  }
+
+private:
+  using Index = std::uint32_t;
+
+  struct Box
+  {
+    Space_vector lower = all(std::numeric_limits<double>::infinity());
+    Space_vector upper = all(-std::numeric_limits<double>::infinity());
+
+    static Space_vector all(const double x) { return {x, x, x}; }
+
+    template <typename Points>
+    void extend(const Points& points)
+    {
+      for(const Space_vector& p : points)
+        for(std::size_t c = 0; c < 3; ++c) {
+          lower[c] = (std::min)(lower[c], p[c]);
+          upper[c] = (std::max)(upper[c], p[c]);
+        }
+    }
+
+    std::size_t longest_side() const
+    {
+      const Space_vector sides = vector_to(lower, upper);
+      return std::size_t(std::max_element(sides.begin(), sides.end()) - sides.begin());
+    }
+
+    double squared_distance(const Space_vector& p) const
+    {
+      double result = 0;
+      for(std::size_t c = 0; c < 3; ++c) {
+        const double d = (std::max)({lower[c] - p[c], p[c] - upper[c], 0.});
+        result += d * d;
+      }
+      return result;
+    }
+
+    bool meets(const Box& other) const
+    {
+      bool result = true;
+      for(std::size_t c = 0; c < 3; ++c)
+        result = result && lower[c] <= other.upper[c] && other.lower[c] <= upper[c];
+      return result;
+    }
+  };
+
+  // Of elements, or of two nodes.
+  struct Node
+  {
+    Box box;
+    Index first = 0, number_of_elements = 0;
+  };
+
+  static constexpr Index most_in_leaf = 4;
+
+  // Of those of m_numbers from `begin` to `end`.
+  void build(const std::size_t node, const Index begin, const Index end,
+             const std::vector<Element>& elements)
+  {
+    Box box;
+    for(Index i = begin; i < end; ++i)
+      box.extend(elements[m_numbers[i]]);
+    if(end - begin <= most_in_leaf) {
+      m_nodes[node] = {box, begin, end - begin};
+      return;
+    }
+    const auto middle = [&, c = box.longest_side()](const Index i) {
+      double sum = 0;
+      for(const Space_vector& p : elements[i])
+        sum += p[c];
+      return sum;
+    };
+    const Index half = begin + (end - begin) / 2;
+    std::nth_element(m_numbers.begin() + begin, m_numbers.begin() + half, m_numbers.begin() + end,
+                     [&](const Index i, const Index j) { return middle(i) < middle(j); });
+    const Index first = Index(m_nodes.size());
+    m_nodes[node] = {box, first, 0};
+    m_nodes.resize(m_nodes.size() + 2);
+    build(first, begin, half, elements);
+    build(first + 1, half, end, elements);
+  }
+
+  void search(const Node& node, const Space_vector& p, Place& best) const
+  {
+    for(Index i = node.first; i < node.first + node.number_of_elements; ++i) {
+      const Space_vector q = nearest_place(p, m_elements[i]);
+      if(const double squared = internal::squared_distance(p, q); squared < best.squared_distance)
+        best = {q, i, squared};
+    }
+    if(node.number_of_elements > 0)
+      return;
+    const Node *nearer = &m_nodes[node.first], *other = nearer + 1;
+    double distance = nearer->box.squared_distance(p);
+    double other_distance = other->box.squared_distance(p);
+    if(other_distance < distance) {
+      std::swap(nearer, other);
+      std::swap(distance, other_distance);
+    }
+    if(distance < best.squared_distance)
+      search(*nearer, p, best);
+    if(other_distance < best.squared_distance)
+      search(*other, p, best);
+  }
+
+  template <typename Visit>
+  void visit_near(const Node& node, const Box& box, const Visit& visit) const
+  {
+    if(!node.box.meets(box))
+      return;
+    for(Index i = node.first; i < node.first + node.number_of_elements; ++i)
+      visit(m_numbers[i]);
+    for(Index child = 0; child < 2 && node.number_of_elements == 0; ++child)
+      visit_near(m_nodes[node.first + child], box, visit);
+  }
+
+  std::vector<Node> m_nodes; // the root first
+  std::vector<Element> m_elements; // in the order of leaves
+  std::vector<Index> m_numbers; // of these
+};
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_NEAREST_PLACE_TREE_H
