@@ -44,6 +44,7 @@ inline CGAL::Quad_remeshing::Remeshing_report measure_jacobians(const Mesh& mesh
     result.largest_aspect_ratio = (std::max)(result.largest_aspect_ratio,
                                              shortest > 0 ? std::sqrt(longest / shortest)
                                                           : infinity);
+    result.number_of_long_quads += longest > 100 * shortest ? 1 : 0;
     result.number_of_thin_quads += least < 0.1 ? 1 : 0;
     sum += least;
     ++number;
@@ -58,7 +59,8 @@ inline void write_jacobians(std::ostream& os,
   os << "scaled Jacobian: least " << report.least_scaled_jacobian << ", mean "
      << report.mean_scaled_jacobian << "; less than 0.1: "
      << counted(report.number_of_thin_quads, "quad") << ". Longest side of a quad over its shortest: "
-     << "at most " << report.largest_aspect_ratio << "\n";
+     << "at most " << report.largest_aspect_ratio << "; more than 10: "
+     << counted(report.number_of_long_quads, "quad") << "\n";
 }
 
 // \param diagonal that of the input
@@ -77,6 +79,7 @@ inline nlohmann::json json_of_jacobians(const CGAL::Quad_remeshing::Remeshing_re
   return {{"least_scaled_jacobian", report.least_scaled_jacobian},
           {"mean_scaled_jacobian", report.mean_scaled_jacobian},
           {"number_of_thin_quads", report.number_of_thin_quads},
+          {"number_of_long_quads", report.number_of_long_quads},
           {"largest_aspect_ratio", if_known(std::isfinite(report.largest_aspect_ratio),
                                             report.largest_aspect_ratio)}};
 }

@@ -386,6 +386,7 @@ private:
     m_run.report.least_scaled_jacobian = shape.least_scaled_jacobian;
     m_run.report.mean_scaled_jacobian = shape.mean_scaled_jacobian;
     m_run.report.largest_aspect_ratio = shape.largest_aspect_ratio;
+    m_run.report.number_of_long_quads = shape.number_of_long_quads;
     m_run.timer.finish("measurement");
     return true;
   }

@@ -68,6 +68,8 @@ struct Remeshing_report
   /// the longest side of a quad over its shortest one, of the quad where this is largest: infinite
   /// where a side has no length
   double largest_aspect_ratio = 0;
+  /// quads whose longest side is more than ten times their shortest one
+  std::size_t number_of_long_quads = 0;
   /// quads with a scaled Jacobian of less than 0.1, inverted ones and ones with three corners on a
   /// line among them
   std::size_t number_of_thin_quads = 0;
@@ -84,8 +86,8 @@ struct Remeshing_report
   std::size_t number_of_displaced_vertices = 0;
   double largest_displacement = 0; ///< the largest distance by which these were moved
   /// the largest distance from the input that was found: at vertices and at the middles of faces
-  /// and edges, and where quads are few at more points of the bilinear patches over them, up to
-  /// about 20,000. The vertices lie on the input, up to rounding, but for those that were
+  /// and edges, and of up to 6,250 quads at more points of the bilinear patches over them, 25,000
+  /// to 100,000 in all, or 4,096 of each. The vertices lie on the input, up to rounding, but for those that were
   /// displaced, and images of what is not symmetric.
   double largest_distance = 0;
   /// the largest distance of the input from the quads, each of them two triangles, that was found:

@@ -134,7 +134,8 @@ public:
 
   // Where more than a tenth of the quads are inverted, as those of a map that is much distorted:
   // vertices move to the middle of their neighbors, whatever becomes of quads on the way, as long
-  // as some are inverted, and the mean shape gets better; at most 100 rounds.
+  // as some are inverted, the mean shape gets better, and quads don't shrink to half of their area,
+  // as few can, to a point in the end; at most 100 rounds.
   template <typename Is_held>
   void unfold(const Is_held& is_held)
   {
@@ -142,15 +143,17 @@ public:
     std::size_t number = number_of_inverted_quads();
     if(10 * number <= m_quads.number_of_faces())
       return;
-    double shape = measure_shape().mean_scaled_jacobian;
+    Shape shape = measure_shape();
+    const double least_area = shape.area / 2;
     for(int block = 0; block < most_blocks && number > 0; ++block) {
       const std::vector<Point> points(m_quads.points().begin(), m_quads.points().end());
       for(int round = 0; round < rounds; ++round)
         for(const Vertex v : vertices(m_quads))
           if(!is_held(v))
             set_point(v, nearest(middle_of_neighbors(v), point(v)));
-      const double new_shape = measure_shape().mean_scaled_jacobian;
-      if(new_shape <= shape) {
+      const Shape new_shape = measure_shape();
+      if(new_shape.mean_scaled_jacobian <= shape.mean_scaled_jacobian ||
+         new_shape.area < least_area) {
         std::copy(points.begin(), points.end(), m_quads.points().begin());
         return;
       }
@@ -173,6 +176,8 @@ public:
   struct Shape
   {
     double least_scaled_jacobian = 1, mean_scaled_jacobian = 0, largest_aspect_ratio = 1;
+    double area = 0;
+    std::size_t number_of_long_quads = 0;
   };
 
   Shape measure_shape() const
@@ -181,9 +186,11 @@ public:
     double sum = 0;
     for(const Face f : faces(m_quads)) {
       const Quad_in_space q = quad(f);
-      const double value = scaled_jacobian(q);
+      const double value = scaled_jacobian(q), aspect = aspect_ratio(q);
       result.least_scaled_jacobian = (std::min)(result.least_scaled_jacobian, value);
-      result.largest_aspect_ratio = (std::max)(result.largest_aspect_ratio, aspect_ratio(q));
+      result.largest_aspect_ratio = (std::max)(result.largest_aspect_ratio, aspect);
+      result.number_of_long_quads += aspect > 10 ? 1 : 0;
+      result.area += norm(quad_normal(q)) / 2;
       sum += value;
     }
     result.mean_scaled_jacobian = sum / static_cast<double>(faces(m_quads).size());
@@ -204,17 +211,24 @@ public:
   }
 
   // The largest distance from the surface of the vertices and of a grid of points in each quad: of
-  // its middle and those of its edges, and of more where quads are few.
+  // its middle and those of its edges, and of more where quads are few. Where the triangle that was
+  // found last is near enough, none is looked for.
   double measure_distance() const
   {
-    constexpr std::size_t enough_points = 20000, most_parts = 16;
+    constexpr std::size_t enough_points = 100000, most_parts = 64;
     std::size_t n = 2;
     while(n < most_parts && m_quads.number_of_faces() * (2 * n) * (2 * n) <= enough_points)
       n *= 2;
     const auto part = [&](const std::size_t i) { return double(i) / double(n); };
     double largest = 0;
-    const auto measure = [&](const Space_vector& p)
-      { largest = (std::max)(largest, norm(vector_to(p, nearest(p)))); };
+    Space_triangle last = triangle(m_searched.front());
+    const auto measure = [&](const Space_vector& p) {
+      if(squared_distance(p, nearest_place(p, last)) <= largest)
+        return;
+      const auto found = tree().nearest(p);
+      largest = (std::max)(largest, found.squared_distance);
+      last = triangle(m_searched[found.element]);
+    };
     for(const Vertex v : vertices(m_quads))
       measure(point(v));
     for(const Face f : faces(m_quads)) {
@@ -226,7 +240,7 @@ public:
     for(const auto e : edges(m_quads))
       for(std::size_t i = 1; i < n; ++i)
         measure(between(point(source(e, m_quads)), point(target(e, m_quads)), part(i)));
-    return largest;
+    return std::sqrt(largest);
   }
 
   Space_vector point(const Vertex v) const { return to_vector(m_quads.point(v)); }
