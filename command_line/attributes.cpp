@@ -210,7 +210,7 @@ struct OBJ_attributes
   using Part = std::array<std::string, 3>; // the lines of an object, a group, and a material
 
   std::vector<Values> points, colors;         // per vertex
-  std::vector<std::array<double, 2> > coordinates; // the 'vt' elements
+  std::vector<std::optional<std::array<double, 2> > > coordinates; // the 'vt' elements
   std::vector<std::vector<std::array<std::size_t, 2> > > corners; // vertex and 'vt' from 1; 0: none
   std::vector<Part> parts;          // what faces belong to
   std::vector<std::size_t> part_of; // per face
@@ -226,17 +226,27 @@ struct OBJ_attributes
       colors.clear();
       lost.insert("colors, which not all vertices have");
     }
+    for(std::size_t f = 0; f < corners.size(); ++f)
+      for(const auto& [v, vt] : corners[f])
+        if(vt > coordinates.size()) {
+          lost.insert("coordinates that are no 'vt' element, as of face " + std::to_string(f + 1));
+          return;
+        }
   }
 
 private:
-  static double number(const std::string& token)
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)(); // no such element
+
+  // Nothing where it is no finite number.
+  static std::optional<double> finite_number(const std::string& token)
   {
     std::istringstream stream(token);
     stream.imbue(std::locale::classic());
     double x = 0;
-    stream >> x;
-    return x;
+    return stream >> x && std::isfinite(x) ? std::optional<double>(x) : std::nullopt;
   }
+
+  static double number(const std::string& token) { return finite_number(token).value_or(0); }
 
   void add(const std::string& name, const std::vector<std::string>& tokens)
   {
@@ -251,7 +261,7 @@ private:
     } else if(name == "s" && !tokens.empty() && tokens[0] != "off" && tokens[0] != "0") {
       lost.insert("smoothing groups");
     } else if(name == "vt" && !tokens.empty()) {
-      coordinates.push_back({number(tokens[0]), tokens.size() > 1 ? number(tokens[1]) : 0.});
+      add_coordinates(tokens);
     } else if(name == "mtllib") {
       libraries += line(name, tokens);
     } else if(name == "o" || name == "g" || name == "usemtl") {
@@ -260,6 +270,20 @@ private:
     } else if(name == "f") {
       add_face(tokens);
     }
+  }
+
+  void add_coordinates(const std::vector<std::string>& tokens)
+  {
+    const std::optional<double> u = finite_number(tokens[0]);
+    const std::optional<double> v = tokens.size() > 1 ? finite_number(tokens[1]) : 0;
+    coordinates.emplace_back();
+    if(u && v)
+      coordinates.back() = {*u, *v};
+    else
+      lost.insert("'vt' elements that are no numbers, as that of number " +
+                  std::to_string(coordinates.size()));
+    if(tokens.size() > 2 && number(tokens[2]) != 0)
+      lost.insert("third numbers of 'vt' elements");
   }
 
   static std::string line(const std::string& name, const std::vector<std::string>& tokens)
@@ -283,8 +307,10 @@ private:
     corners.emplace_back();
     for(const std::string& token : tokens) {
       const std::size_t slash = token.find('/');
-      const std::size_t vt = slash == token.npos ? 0 : index(token.substr(slash + 1),
-                                                             coordinates.size());
+      const std::string rest = slash == token.npos ? "" : token.substr(slash + 1);
+      std::size_t vt = index(rest, coordinates.size());
+      if(vt == 0 && !rest.empty() && rest[0] != '/')
+        vt = none;
       corners.back().push_back({index(token, points.size()), vt});
       has_coordinates = has_coordinates || vt > 0;
     }

@@ -315,7 +315,7 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
   if(near_by.snapped && near_by.snapped.lost_faces.empty() &&
      near_by.snapped.remaining_flips.empty())
     extract(options, model, near_by, model.mesh, model.uv_map);
-  near_by.integers = "those near in the map";
+  near_by.integers = "those nearest in the map";
   const double number = static_cast<double>(near_by.report.number_of_faces);
   const bool is_near = near_by.report && std::abs(number / options.number - 1) <= tolerance;
   restore();
@@ -371,7 +371,8 @@ void write_left_out(std::ostream& os, const Result& result)
   os << "left out: " << counted(report.number_of_cut_cells, "piece")
      << " of cells at the border or at holes, " << 100 * part_left_out(report)
      << " % of the area in the domain. More quads leave out less; --align-border keeps cells whole "
-        "where border edges are nearly on isocurves\n";
+        "where border edges are nearly on isocurves, as in maps of 'parametrize --align-border'; "
+        "'remesh' makes whole ones\n";
 }
 
 void write_summary(std::ostream& os, const Quad_options& options, const Result& result)

@@ -375,6 +375,10 @@ struct Remesh_outcome
       os << "border: " << counted(report.number_of_corners_left_out, "corner")
          << " left out, of steps that are smaller than quads; --border-tolerance 0 keeps all\n";
     write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
+    if(report.number_of_inverted_quads > 0 &&
+       report.number_of_quads < 10 * report.number_of_irregular_vertices)
+      os << "note: these are few quads for so many irregular vertices; a larger --number leaves more "
+            "room for good ones\n";
     write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
     if(report.number_of_released_edges > 0)
       os << "not kept, as faces would be flipped, or quads inverted or thin: "

@@ -2760,6 +2760,33 @@ void test_unfolding()
     CHECK(CGAL::squared_distance(flat.quads.point(flat.vertices[i]), squares[i]) < 1e-6);
 }
 
+// Nine quads that are a torus, in disorder: without a border, averages would end in one point, in a
+// better shape.
+void test_unfolding_without_border()
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> coordinate(0, 3);
+  for(int i = 0; i < 50; ++i) {
+    const Flat_quads flat(1);
+    Mesh quads;
+    for(int k = 0; k < 9; ++k) {
+      const double x = coordinate(random), y = coordinate(random);
+      quads.add_vertex(Point_3(x, y, 0));
+    }
+    for(int x = 0; x < 3; ++x)
+      for(int y = 0; y < 3; ++y) {
+        const auto v = [&](const int dx, const int dy)
+          { return Vertex(Mesh::size_type(3 * ((x + dx) % 3) + (y + dy) % 3)); };
+        quads.add_face(v(0, 0), v(1, 0), v(1, 1), v(0, 1));
+      }
+    run_on_copy(flat.square, quads, [&](const auto&, const auto&, const auto&, auto& smoother) {
+      const double area = smoother.measure_shape().area;
+      smoother.unfold([](const Vertex) { return false; });
+      CHECK(smoother.measure_shape().area >= area / 2);
+    });
+  }
+}
+
 // On a plane, vertices go where their quads are rectangles, those on the border along it.
 void test_shape_of_flat_quads()
 {
@@ -3339,6 +3366,7 @@ int main()
   test_refinement();
   test_sizes_in_space();
   test_unfolding();
+  test_unfolding_without_border();
   test_shape_of_flat_quads();
   test_distance_of_quads();
   test_improvement();

@@ -87,8 +87,8 @@ struct Remeshing_report
   double largest_displacement = 0; ///< the largest distance by which these were moved
   /// the largest distance from the input that was found: at vertices and at the middles of faces
   /// and edges, and of up to 6,250 quads at more points of the bilinear patches over them, 25,000
-  /// to 100,000 in all, or 4,096 of each. The vertices lie on the input, up to rounding, but for those that were
-  /// displaced, and images of what is not symmetric.
+  /// to 100,000 in all, or 4,096 of each. The vertices lie on the input, up to rounding, but for
+  /// those that were displaced, and images of what is not symmetric.
   double largest_distance = 0;
   /// the largest distance of the input from the quads, each of them two triangles, that was found:
   /// at its vertices, and at 20,000 points spread over its area, or one for each face
