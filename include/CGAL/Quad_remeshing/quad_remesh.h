@@ -193,67 +193,25 @@ field that are less than about two edges of the wanted quads apart cancel, unles
 `vertex_sizing_map` varies. Borders are aligned, and so are feature edges: they become chains of
 edges of quads, whose vertices lie on them.
 
-Where more than a tenth of the quads are inverted at first, as those of a map that is much
-distorted, all other vertices move to the middle of their neighbors, whatever becomes of quads on
-the way, as long as the mean scaled Jacobian gets better and quads are inverted, at most 100 rounds.
-After some rounds of smoothing, which leave these vertices where they are, all vertices move to
-where their quads are near to rectangles and, of up to 6,600 quads, near to the surface; those on
-features and borders move along these, and stay where they turn, meet, or end. There are at most
-four times as many rounds, and of about 50,000 quads in all, or one round. What this leaves inverted
-or thin is improved: vertices near by move along the surface or along their feature, unless it turns
-or ends there, and two quads around a vertex of two edges become one. What is inverted even then is
-taken out, as two opposite vertices become one, if no other quad is inverted by that; what is left,
-or flat, as between two features that are a straight line in space, becomes five quads, one of them
-inside, if those have a better shape.
-
-The vertices of quads that are inverted even then leave their features, and the surface where that
-does not help, unless it is a plane, by as little as mends the quads, and by at most half of the
-quad's longest edge; the report counts them, and tells by how much. Where that is not enough, the
-vertices of the quads around move, too, in at most five rounds. There are at most 20,000 such moves
-of a vertex in all. If at most ten quads are inverted even then, all vertices around each of them,
-but those on the border, up to eight quads away, move to the middle of their neighbors, in 40
-rounds, and what is inverted then is mended as before, if fewer are. With `symmetry_plane`, vertices
-stay.
-
-Where quads are inverted even then, the features are released that are nearer to them than an edge
-of a quad, or two, four, or eight if there are none, and all is made again; if that does not help,
-those within twice as many edges. So there are at most five attempts, each if a quarter of the work
-is left that the first one took. Where more than a twentieth of the quads are inverted and at
-features, and half of the bound below is left, that is done at once, without mending them one by
-one. Where the mean scaled Jacobian is less than 0.8, or, of less than 1.1 times as many quads as
-wanted, less than 0.9, or the median edge of so few differs from its wanted length by more than a
-half, there is another attempt without features near quads whose scaled Jacobian is less than 0.1,
-and a third one if lengths differ by so much even then. What has the fewest inverted quads is the
-result, and then the better mean scaled Jacobian, less half of the part of the features' length that
-is released, and less half of what the median edge differs, where that is from 0.5 to 1.5; these
-quads are counted in the report.
-
-Before, in a copy, triangles with three sides that are features or border are divided, and so are
-those at tips, where two of these meet in a sector of less than 50 degrees, longer than three times
-the side of one of 5,000 squares of the surface's area: the edges there get three parts each. Then
-one quad has its corner at the tip, as that of a rectangle. Divided are also long triangles, as of
-flat faces without vertices inside, if they cover a quarter of the area: those longer than four
-times their height, and than the side of one of 5,000 squares of the surface's area, in units of
-`vertex_sizing_map`. Longest edges are halved, those of the largest triangles first, until there are
-40,000 more faces. Edges that are not Delaunay are flipped if both faces have the same direction by
-`face_direction_map` and lie in a plane, up to a millionth of the diagonal of the bounding box; so
-vertices of quads can lie off the input by about as much. Parts of features and of the border are
-features and border. Where features are released, vertices displaced, or quads inverted, or their
-mean scaled Jacobian is less than 0.95, all is made once more with large triangles divided, too,
-which leave a map no room between features: those longer than four such sides, if they and the long
-ones cover a quarter of the area, and 70 % of the work is left (see below). Of the two results, that
-is taken that is better as above, with `minimize_number_of_quads` the first one if it has fewer
-quads.
-Where corners of the border are left out, and quads are inverted or vertices displaced, or the mean
-scaled Jacobian is less than 0.9, all is made once more with all corners, if 70 % of the work is
-left; that is taken if it is better, with at most 1.2 times as many quads. Where no quads are found
-on refined surfaces, or without some corners, the input is remeshed as it is.
-
 From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
 result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
 input: feature edges that can't be followed without flips are not kept, and where flips remain, the
 function says so.
 
+\par Preparation
+In a copy, triangles with three sides that are features or border are divided, and so are those at
+tips, where two of these meet in a sector of less than 50 degrees, longer than three times the side
+of one of 5,000 squares of the surface's area: the edges there get three parts each. Then one quad
+has its corner at the tip, as that of a rectangle. Divided are also long triangles, as of flat faces
+without vertices inside, if they cover a quarter of the area: those longer than four times their
+height, and than the side of one of 5,000 squares of the surface's area, in units of
+`vertex_sizing_map`. Longest edges are halved, those of the largest triangles first, until there are
+40,000 more faces. Edges that are not Delaunay are flipped if both faces have the same direction by
+`face_direction_map` and lie in a plane, up to a millionth of the diagonal of the bounding box; so
+vertices of quads can lie off the input by about as much. Parts of features and of the border are
+features and border.
+
+\par Number of Quads
 Where cones and features lie close together, so few quads may not exist, or meet themselves, or each
 other twice, which no mesh can hold. Then the least larger number for which there is a mesh is
 searched for, in steps of 2.5 % from the number wanted, or from the least one without this condition
@@ -277,6 +235,55 @@ below 0.9, up to five larger numbers of the same map, in steps of a tenth up to 
 are among these eight: the message tells if such ones are taken that are more than 1.1 times as many
 as wanted. The quad around a vertex of one edge is left out.
 
+\par Shape
+Where more than a tenth of the quads are inverted at first, as those of a map that is much
+distorted, all other vertices move to the middle of their neighbors, whatever becomes of quads on
+the way, as long as the mean scaled Jacobian gets better, half of the quads' area is left, and quads
+are inverted, at most 100 rounds. After some rounds of smoothing, which leave these vertices where
+they are, all vertices move to where their quads are near to rectangles, with sides of which none is
+more than ten times as long as others, and, of up to 6,600 quads, near to the surface; those on
+features and borders move along these, and stay where they turn, meet, or end. There are at most
+four times as many rounds, and of about 50,000 quads in all, or one round. What this leaves inverted
+or thin is improved: vertices near by move along the surface or along their feature, unless it turns
+or ends there, and two quads around a vertex of two edges become one. What is inverted even then is
+taken out, as two opposite vertices become one, if no other quad is inverted by that; what is left,
+or flat, as between two features that are a straight line in space, becomes five quads, one of them
+inside, if those have a better shape.
+
+The vertices of quads that are inverted even then leave their features, and the surface where that
+does not help, unless it is a plane, by as little as mends the quads, and by at most half of the
+quad's longest edge; the report counts them, and tells by how much. Where that is not enough, the
+vertices of the quads around move, too, in at most five rounds. There are at most 20,000 such moves
+of a vertex in all. If at most ten quads are inverted even then, all vertices around each of them,
+but those on the border, up to eight quads away, move to the middle of their neighbors, in 40
+rounds, and what is inverted then is mended as before, if fewer are. With `symmetry_plane`, vertices
+stay.
+
+\par Attempts
+Where the first quads have flaws, all is made again, and the best quads are taken: those with the
+fewest inverted ones, and then with the better mean scaled Jacobian, less half of the part of the
+features' length that is released, and less half of what the median edge differs from its wanted
+length, where that is from 0.5 to 1.5.
+- Where quads are inverted, without the features that are nearer to them than an edge of a quad, or
+  two, four, or eight if there are none; if that does not help, without those within twice as many
+  edges. So there are at most five attempts, each if a quarter of the work is left that the first
+  one took. Where more than a twentieth of the quads are inverted and at features, and half of the
+  bound below is left, that is done at once, without mending them one by one.
+- Where the mean scaled Jacobian is less than 0.8, or, of less than 1.1 times as many quads as
+  wanted, less than 0.9, or the median edge of so few differs from its wanted length by more than a
+  half, without the features near quads whose scaled Jacobian is less than 0.1; and once more if
+  lengths differ by so much even then. The report counts the features that are released.
+- Where features are released, vertices displaced, or quads inverted, or their mean scaled Jacobian
+  is less than 0.95, with large triangles divided, too, which leave a map no room between features:
+  those longer than four sides of such a square, if they and the long ones cover a quarter of the
+  area, and 70 % of the work is left. With `minimize_number_of_quads`, the first result stays if it
+  has fewer quads.
+- Where corners of the border are left out, and quads are inverted or vertices displaced, or the
+  mean scaled Jacobian is less than 0.9, with all corners, if 70 % of the work is left, for at most
+  1.2 times as many quads.
+- Where no quads are found on refined surfaces, or without some corners, of the input as it is.
+
+\par Bounds
 All searches, in all attempts, have a bound: the work of 20 million iterations of untangling over a
 face, of about 3 microseconds each, or of 100 for each face and each wanted quad, if that is more.
 Factorizations, releases of features, searches for strips and for the nearest place on the surface,
