@@ -2764,6 +2764,8 @@ void test_unfolding()
 // better shape.
 void test_unfolding_without_border()
 {
+  constexpr unsigned int seed = 1;
+  std::cout << "quads that are a torus: seed " << seed << std::endl;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> coordinate(0, 3);
   for(int i = 0; i < 50; ++i) {
@@ -2807,6 +2809,21 @@ void test_shape_of_flat_quads()
     CHECK(i % 4 > 0 || p.x() == 0.);
     CHECK(i >= 4 || p.y() == 0.);
   }
+}
+
+// Where quads follow a field that is no border's, angles get better as vertices come near corners.
+void test_long_sides()
+{
+  Mesh square = cells_inside(20, [](double, double) { return true; });
+  const auto direction = square.add_property_map<Mesh::Face_index, Kernel::Vector_3>(
+    "f:direction", Kernel::Vector_3(std::cos(0.5), std::sin(0.5), 0)).first;
+  Mesh quads;
+  const auto report = QR::quad_remesh(
+    square, quads, parameters::face_direction_map(direction).target_number_of_quads(2000));
+  std::cout << "with a field of another direction, the longest side over the shortest of a quad "
+            << report.largest_aspect_ratio << std::endl;
+  CHECK(report && report.number_of_inverted_quads == 0);
+  CHECK(report.largest_aspect_ratio < 100);
 }
 
 // A cube whose eight corners are cut off by six quads: their vertices find them.
@@ -3368,6 +3385,7 @@ int main()
   test_unfolding();
   test_unfolding_without_border();
   test_shape_of_flat_quads();
+  test_long_sides();
   test_distance_of_quads();
   test_improvement();
   test_division();

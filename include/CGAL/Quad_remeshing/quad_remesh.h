@@ -241,7 +241,7 @@ distorted, all other vertices move to the middle of their neighbors, whatever be
 the way, as long as the mean scaled Jacobian gets better, half of the quads' area is left, and quads
 are inverted, at most 100 rounds. After some rounds of smoothing, which leave these vertices where
 they are, all vertices move to where their quads are near to rectangles, with sides of which none is
-more than ten times as long as others, and, of up to 6,600 quads, near to the surface; those on
+more than 20 times as long as others, and, of up to 6,600 quads, near to the surface; those on
 features and borders move along these, and stay where they turn, meet, or end. There are at most
 four times as many rounds, and of about 50,000 quads in all, or one round. What this leaves inverted
 or thin is improved: vertices near by move along the surface or along their feature, unless it turns

@@ -29,6 +29,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -212,6 +213,21 @@ private:
     return result;
   }
 
+  // Of sides that are more than 20 times as long as others. Angles don't see them: for these
+  // alone, a vertex on a line would halve the edge to its end in each round.
+  static double badness_of_sides(const Quad& q)
+  {
+    constexpr double long_side = 20, weight = 0.05, least_square = 1e-100;
+    double shortest = std::numeric_limits<double>::infinity(), longest = least_square;
+    for(std::size_t i = 0; i < 4; ++i) {
+      const double squared = squared_distance(q[i], q[(i + 1) % 4]);
+      shortest = (std::min)(shortest, squared);
+      longest = (std::max)(longest, squared);
+    }
+    const double ratio = longest / (std::max)(shortest, least_square) / (long_side * long_side);
+    return ratio > 1 ? weight * std::log(ratio) / 2 : 0;
+  }
+
   // By their worst corners, or by all: but where one is inverted, it counts alone, as others could
   // make up for it. Thin quads count more than twice as much.
   double badness() const
@@ -226,7 +242,7 @@ private:
       const double least = *std::min_element(sines.begin(), sines.end());
       const double x = 1 - (m_all_corners_count && least > 0
                               ? (sines[0] + sines[1] + sines[2] + sines[3]) / 4 : least);
-      sum += x + x * x;
+      sum += x + x * x + badness_of_sides(q);
     }
     return sum;
   }
