@@ -276,8 +276,9 @@ length, where that is from 0.5 to 1.5.
 - Where features are released, vertices displaced, or quads inverted, or their mean scaled Jacobian
   is less than 0.95, with large triangles divided, too, which leave a map no room between features:
   those longer than four sides of such a square, if they and the long ones cover a quarter of the
-  area, and 70 % of the work is left. With `minimize_number_of_quads`, the first result stays if it
-  has fewer quads.
+  area, and 70 % of the work is left. With `minimize_number_of_quads`, the second ones are taken
+  only if they are no more, and their part of the number of the first ones counts like the mean
+  scaled Jacobian.
 - Where corners of the border are left out, and quads are inverted or vertices displaced, or the
   mean scaled Jacobian is less than 0.9, with all corners, if 70 % of the work is left, for at most
   1.2 times as many quads.

@@ -549,8 +549,10 @@ constexpr double good_deviation = 0.5, forced_deviation = 1.5;
 class Is_better
 {
 public:
-  explicit Is_better(const Surface_to_remesh& surface)
-    : m_length_of_features(surface.length_of_features())
+  // \param unit of numbers of quads, where there are to be few
+  explicit Is_better(const Surface_to_remesh& surface,
+                     const double unit = std::numeric_limits<double>::infinity())
+    : m_length_of_features(surface.length_of_features()), m_unit(unit)
   { }
 
   bool operator()(const Remeshing_report& a, const Remeshing_report& b) const
@@ -563,10 +565,11 @@ private:
       m_length_of_features > 0 ? r.length_of_released_edges / m_length_of_features : 0;
     const double deviation = std::clamp(r.median_size_deviation.value_or(0), good_deviation,
                                         forced_deviation);
-    return {!r, r.number_of_inverted_quads, (released + deviation) / 2 - r.mean_scaled_jacobian};
+    return {!r, r.number_of_inverted_quads, (released + deviation) / 2 - r.mean_scaled_jacobian +
+                                              double(r.number_of_quads) / m_unit};
   }
 
-  double m_length_of_features;
+  double m_length_of_features, m_unit;
 };
 
 // By default, half of an edge of the quads, where these are to be of one size.
@@ -637,9 +640,12 @@ Remeshing_report remesh_again(Surface_to_remesh& surface, const Remeshing_option
                               const Surface_to_remesh::Feature_map& is_feature)
 {
   Remeshing_report best = before;
-  const Is_better is_better(surface);
-  const double most = before && options.quantization.is_coarsest
-                        ? (std::min)(most_quads, double(before.number_of_quads)) : most_quads;
+  double most = most_quads, unit = std::numeric_limits<double>::infinity();
+  if(before && options.quantization.is_coarsest) {
+    unit = double(before.number_of_quads);
+    most = (std::min)(most, unit);
+  }
+  const Is_better is_better(surface, unit);
   make_others([&](auto& mesh, const auto& is_kept)
               { return remesh(surface, options, mesh, is_kept); },
               [&](const Remeshing_report& a, const Remeshing_report& b)

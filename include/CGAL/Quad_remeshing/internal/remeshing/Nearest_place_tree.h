@@ -75,7 +75,9 @@ inline Space_vector nearest_place(const Space_vector& p, const Space_triangle& t
       }
     }
   }
-  if(part[0] > 0 && part[1] > 0 && part[2] > 0) { // so planes of a coordinate stay such
+  if(part[0] > 0 && part[1] > 0 && part[2] > 0) {
+    if(inner_product(d[0], normal) == 0)
+      return p; // as it is, as on a surface that is a plane
     const double sum = part[0] + part[1] + part[2];
     for(std::size_t c = 0; c < 3; ++c)
       result[c] += part[1] / sum * (t[1][c] - t[0][c]) + part[2] / sum * (t[2][c] - t[0][c]);
