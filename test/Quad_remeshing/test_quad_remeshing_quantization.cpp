@@ -2493,10 +2493,11 @@ void test_double_pyramid()
 void test_attempt_without_features()
 {
   constexpr int n = 24; // corners
+  constexpr double turn = 1.91; // by so many of them: it is not aligned to the axes
   Mesh mesh;
   const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
   const auto polygon =
-    polygon_around_origin(n, 0, [](const int i) { return i % 2 == 0 ? 1 : 0.5; });
+    polygon_around_origin(n, turn, [](const int i) { return i % 2 == 0 ? 1 : 0.5; });
   for(const double z : {0., 0.2})
     for(const auto& p : polygon)
       mesh.add_vertex(Point_3(p.x(), p.y(), z));
@@ -2516,8 +2517,9 @@ void test_attempt_without_features()
   }
   std::size_t number_left_out = 0; // of features, in further attempts
   const auto visitor = [&](const std::string& text) {
-    const std::string words = "thin quads; again without ";
-    if(const std::size_t at = text.find(words); at != std::string::npos)
+    const std::string words = "; again without ";
+    if(const std::size_t at = text.find(words);
+       at != std::string::npos && text.find("thin quad") < at)
       number_left_out += std::stoul(text.substr(at + words.size()));
   };
   Mesh quads;
