@@ -20,10 +20,13 @@
 // first, and makes each triangle from the mesh at each visit.
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Space_vector.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -100,7 +103,7 @@ public:
 
   // \pre there are fewer than 2^32
   explicit Nearest_place_tree(const std::vector<Element>& elements = {})
-    : m_elements(elements), m_numbers(elements.size())
+    : m_numbers(elements.size())
   {
     std::iota(m_numbers.begin(), m_numbers.end(), Index(0));
     if(elements.empty())
@@ -108,28 +111,51 @@ public:
     m_nodes.reserve(elements.size());
     m_nodes.emplace_back();
     build(0, 0, Index(elements.size()), elements);
-    for(std::size_t i = 0; i < m_numbers.size(); ++i)
-      m_elements[i] = elements[m_numbers[i]];
+    m_elements.reserve(elements.size());
+    for(const Index i : m_numbers)
+      m_elements.push_back(elements[i]);
   }
 
   bool empty() const { return m_elements.empty(); }
 
+  std::size_t number_of_searches() const { return m_number_of_searches; }
+
   // \pre not empty
   Place nearest(const Space_vector& p) const
   {
-    Place result;
-    search(m_nodes.front(), p, result);
+    Place result = search_from(p, {});
     result.element = m_numbers[result.element];
     return result;
   }
 
   // The same, faster: the search begins at a place that is known.
   Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
+  { return search_from(p, {near_by, 0, squared_distance(p, near_by)}).point; }
+
+  // The largest distance of points from the elements. Where the element that was found last is near
+  // enough, none is looked for: few searches, if points are in an order of neighbors.
+  // \pre not empty
+  class Largest_distance
   {
-    Place result{near_by, 0, squared_distance(p, near_by)};
-    search(m_nodes.front(), p, result);
-    return result.point;
-  }
+  public:
+    explicit Largest_distance(const Nearest_place_tree& tree) : m_tree(tree) { }
+
+    void add(const Space_vector& p)
+    {
+      if(squared_distance(p, nearest_place(p, m_tree.m_elements[m_last])) <= m_squared)
+        return;
+      const Place found = m_tree.search_from(p, {});
+      m_squared = (std::max)(m_squared, found.squared_distance);
+      m_last = found.element;
+    }
+
+    double value() const { return std::sqrt(m_squared); }
+
+  private:
+    const Nearest_place_tree& m_tree;
+    std::size_t m_last = 0; // in the order of leaves
+    double m_squared = 0;
+  };
 
   // Calls visit(number) for the elements whose box meets that of a segment.
   template <typename Visit>
@@ -222,6 +248,16 @@ private:
     build(first + 1, half, end, elements);
   }
 
+  // The nearest place, if it is nearer than `best`; elements are numbered in the order of leaves.
+  Place search_from(const Space_vector& p, Place best) const
+  {
+    ++m_number_of_searches;
+    Progress::tell_each_second([&] { return counted(m_number_of_searches, "place") +
+                                            " looked for on the surface"; });
+    search(m_nodes.front(), p, best);
+    return best;
+  }
+
   void search(const Node& node, const Space_vector& p, Place& best) const
   {
     for(Index i = node.first; i < node.first + node.number_of_elements; ++i) {
@@ -258,6 +294,7 @@ private:
   std::vector<Node> m_nodes; // the root first
   std::vector<Element> m_elements; // in the order of leaves
   std::vector<Index> m_numbers; // of these
+  mutable std::size_t m_number_of_searches = 0;
 };
 
 } // namespace internal

@@ -132,8 +132,7 @@ public:
     return forms;
   }
 
-  // Of a place, or of a vertex of the surface, from the quads. In an order of neighbors, most need
-  // no search: the triangle that was found last is near enough.
+  // Of a place, or of a vertex of the surface, from the quads.
   double largest_distance(const Mesh& quads) const
   {
     std::vector<Space_triangle> triangles;
@@ -142,8 +141,6 @@ public:
     if(triangles.empty())
       return std::numeric_limits<double>::infinity();
     const Tree tree(triangles);
-    double largest = 0;
-    std::size_t last = 0;
     std::vector<Point> points;
     for(const Place& place : m_places)
       points.push_back(to_point(place.point));
@@ -151,14 +148,10 @@ public:
       if(!m_surface.is_isolated(v))
         points.push_back(m_surface.point(v));
     CGAL::hilbert_sort(points.begin(), points.end(), CGAL::Hilbert_sort_middle_policy());
+    Tree::Largest_distance result(tree);
     for(const Point& point : points)
-      if(const Space_vector p = to_vector(point);
-         squared_distance(p, nearest_place(p, triangles[last])) > largest) {
-        const auto nearest = tree.nearest(p);
-        largest = (std::max)(largest, nearest.squared_distance);
-        last = nearest.element;
-      }
-    return std::sqrt(largest);
+      result.add(to_vector(point));
+    return result.value();
   }
 
 private:

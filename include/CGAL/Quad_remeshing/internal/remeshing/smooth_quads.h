@@ -18,8 +18,6 @@
 // Moves the vertices of a quad mesh along the surface that it was made from, toward the middle of
 // their neighbors; and measures the result. All of this is floating point.
 
-#include <CGAL/Linear_snapping/internal/support/Progress.h>
-#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Nearest_place_tree.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Space_vector.h>
@@ -130,7 +128,7 @@ public:
   }
 
   // For the nearest places on the surface, which take most of the time.
-  std::size_t number_of_searches() const { return m_number_of_searches; }
+  std::size_t number_of_searches() const { return m_tree.number_of_searches(); }
 
   // Where more than a tenth of the quads are inverted, as those of a map that is much distorted:
   // vertices move to the middle of their neighbors, whatever becomes of quads on the way, as long
@@ -211,8 +209,7 @@ public:
   }
 
   // The largest distance from the surface of the vertices and of a grid of points in each quad: of
-  // its middle and those of its edges, and of more where quads are few. Where the triangle that was
-  // found last is near enough, none is looked for.
+  // its middle and those of its edges, and of more where quads are few.
   double measure_distance() const
   {
     constexpr std::size_t enough_points = 100000, most_parts = 64;
@@ -220,27 +217,19 @@ public:
     while(n < most_parts && m_quads.number_of_faces() * (2 * n) * (2 * n) <= enough_points)
       n *= 2;
     const auto part = [&](const std::size_t i) { return double(i) / double(n); };
-    double largest = 0;
-    Space_triangle last = triangle(m_searched.front());
-    const auto measure = [&](const Space_vector& p) {
-      if(squared_distance(p, nearest_place(p, last)) <= largest)
-        return;
-      const auto found = tree().nearest(p);
-      largest = (std::max)(largest, found.squared_distance);
-      last = triangle(m_searched[found.element]);
-    };
+    Tree::Largest_distance result(m_tree);
     for(const Vertex v : vertices(m_quads))
-      measure(point(v));
+      result.add(point(v));
     for(const Face f : faces(m_quads)) {
       const Quad q = quad(f);
       for(std::size_t i = 1; i < n; ++i)
         for(std::size_t j = 1; j < n; ++j)
-          measure(between(between(q[0], q[1], part(i)), between(q[3], q[2], part(i)), part(j)));
+          result.add(between(between(q[0], q[1], part(i)), between(q[3], q[2], part(i)), part(j)));
     }
     for(const auto e : edges(m_quads))
       for(std::size_t i = 1; i < n; ++i)
-        measure(between(point(source(e, m_quads)), point(target(e, m_quads)), part(i)));
-    return std::sqrt(largest);
+        result.add(between(point(source(e, m_quads)), point(target(e, m_quads)), part(i)));
+    return result.value();
   }
 
   Space_vector point(const Vertex v) const { return to_vector(m_quads.point(v)); }
@@ -297,15 +286,14 @@ public:
   }
 
   // The nearest point of the surface.
-  Space_vector nearest(const Space_vector& p) const
-  { return tree().nearest(p).point; }
+  Space_vector nearest(const Space_vector& p) const { return m_tree.nearest(p).point; }
 
   // The same, faster: the search begins at another point of the surface.
   Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
-  { return tree().nearest(p, near_by); }
+  { return m_tree.nearest(p, near_by); }
 
   Face nearest_face(const Space_vector& p) const
-  { return m_searched[tree().nearest(p).element]; }
+  { return m_searched[m_tree.nearest(p).element]; }
 
   // Of two that lie on each other and face to opposite sides, as where bodies touch: the one that
   // faces to `side`.
@@ -359,7 +347,7 @@ private:
   Face nearest_face(const Space_vector& p, const Space_vector& side, const double distance,
                     const double largest_cosine) const
   {
-    const auto place = tree().nearest(p);
+    const auto place = m_tree.nearest(p);
     const Face nearest = m_searched[place.element];
     const Space_vector normal = scaled_to_one(normal_of_surface(nearest));
     if(inner_product(normal, side) >= 0)
@@ -388,14 +376,6 @@ private:
       }
     });
     return result;
-  }
-
-  const Tree& tree() const
-  {
-    ++m_number_of_searches;
-    Progress::tell_each_second([&] { return counted(m_number_of_searches, "place") +
-                                            " looked for on the surface"; });
-    return m_tree;
   }
 
   static constexpr double well_shaped = 0.3; // as a scaled Jacobian
@@ -433,7 +413,6 @@ private:
   Mesh::Property_map<Face, Space_vector> m_upper_sides;
   Tree m_tree;
   std::vector<Face> m_searched; // those of its triangles
-  mutable std::size_t m_number_of_searches = 0;
   std::vector<Face> m_faces;           // scratch
   std::vector<Space_vector> m_normals; // scratch: of these faces
 };
