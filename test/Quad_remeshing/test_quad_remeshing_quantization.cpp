@@ -2035,7 +2035,7 @@ void check_refined_coin(const Coin& coin, const std::string& context)
   CHECK_IN(context, CGAL::is_valid_polygon_mesh(refined) && CGAL::is_triangle_mesh(refined) &&
                       !has_double_edges(refined));
   CHECK_EQUAL(euler_characteristic(refined), euler_characteristic(coin.mesh));
-  CHECK_IN(context, refined.number_of_faces() <= coin.mesh.number_of_faces() + 40000);
+  CHECK_IN(context, refined.number_of_faces() <= coin.mesh.number_of_faces() + 10000);
   const auto point = [&](const auto v)
     { return CGAL::ORIGIN + scale * (refined.point(v) - CGAL::ORIGIN); };
   std::set<Point_3> points;

@@ -206,10 +206,10 @@ has its corner at the tip, as that of a rectangle. Divided are also long triangl
 without vertices inside, if they cover a quarter of the area: those longer than four times their
 height, and than the side of one of 5,000 squares of the surface's area, in units of
 `vertex_sizing_map`. Longest edges are halved, those of the largest triangles first, until there are
-40,000 more faces. Edges that are not Delaunay are flipped if both faces have the same direction by
-`face_direction_map` and lie in a plane, up to a millionth of the diagonal of the bounding box; so
-vertices of quads can lie off the input by about as much. Parts of features and of the border are
-features and border.
+20 times as many more faces, at least 10,000 and at most 40,000. Edges that are not Delaunay are
+flipped if both faces have the same direction by `face_direction_map` and lie in a plane, up to a
+millionth of the diagonal of the bounding box; so vertices of quads can lie off the input by about
+as much. Parts of features and of the border are features and border.
 
 \par Number of Quads
 Where cones and features lie close together, so few quads may not exist, or meet themselves, or each

@@ -26,6 +26,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <queue>
@@ -52,13 +53,17 @@ public:
   static constexpr double longness = 4;
   static constexpr double largest_length = 4;
   static constexpr double least_share = 0.2;
-  static constexpr std::size_t most_new_faces = 40000;
+
+  // So that a triangle that is nearly a segment becomes no more faces than a large surface has.
+  static std::size_t most_new_faces(const std::size_t number_of_faces)
+  { return std::clamp<std::size_t>(20 * number_of_faces, 10000, 40000); }
 
   // \param has_large_faces whether large triangles stay
   Surface_refiner(Marked_surface& surface, const bool has_large_faces)
     : m_surface(surface), m_mesh(surface.mesh), m_has_large_faces(has_large_faces),
-      m_most_faces(m_mesh.number_of_faces() + most_new_faces),
-      m_most_flips(10 * (m_mesh.number_of_edges() + 2 * most_new_faces))
+      m_most_faces(m_mesh.number_of_faces() + most_new_faces(m_mesh.number_of_faces())),
+      m_most_flips(10 * (m_mesh.number_of_edges() +
+                         2 * most_new_faces(m_mesh.number_of_faces())))
   { }
 
   // Returns false if the surface is left as it is, as most are.
