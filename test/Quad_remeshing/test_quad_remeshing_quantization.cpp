@@ -2835,6 +2835,34 @@ void test_distance_of_quads()
                                        Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(1, 0, 1),
                                        Point_3(1, 1, 1), Point_3(0, 1, 1)};
   const std::vector<std::array<Mesh::size_type, 4> > sides{
+// Of ten tori, with a few quads each, some are inverted that can't be mended.
+void test_larger_number()
+{
+  constexpr int n = 24, m = 12;
+  Mesh tori;
+  for(int k = 0; k < 10; ++k) {
+    std::vector<Vertex> v;
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; j < m; ++j) {
+        const double a = 2 * CGAL_PI * i / n, b = 2 * CGAL_PI * j / m, r = 3 + std::cos(b);
+        v.push_back(tori.add_vertex(Point_3(r * std::cos(a) + 10 * k, r * std::sin(a),
+                                            std::sin(b))));
+      }
+    const auto at = [&](const int i, const int j) { return v[std::size_t(i % n * m + j % m)]; };
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; j < m; ++j) {
+        tori.add_face(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+        tori.add_face(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+  }
+  Mesh quads;
+  const auto report = QR::quad_remesh(tori, quads, parameters::target_number_of_quads(50));
+  std::cout << "tori of few quads: " << report.number_of_quads << ", " << report.message
+            << std::endl;
+  CHECK(report && report.number_of_inverted_quads == 0);
+  CHECK(report.message.find(" of them inverted") != std::string::npos);
+}
+
     {{0, 3, 2, 1}}, {{4, 5, 6, 7}}, {{0, 1, 5, 4}}, {{1, 2, 6, 5}}, {{2, 3, 7, 6}}, {{3, 0, 4, 7}}};
   Mesh cube, quads;
   const Point_3 peak(1, 1, 1);
@@ -3395,6 +3423,7 @@ int main()
   test_folded_quads();
   test_quad_across_fin();
   test_collapse();
+  test_larger_number();
   test_triangles();
   test_refusals();
   return report_checks();

@@ -41,6 +41,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -106,6 +107,13 @@ inline bool has_flaws_at_border(const Remeshing_report& report)
   return report && report.number_of_corners_left_out > 0 &&
          (report.number_of_inverted_quads > 0 || report.number_of_displaced_vertices > 0 ||
           report.mean_scaled_jacobian < fair_shape);
+}
+
+// Whether more quads may have room around cones and between features.
+inline bool has_few_inverted_quads(const Remeshing_report& report)
+{
+  constexpr std::size_t few = 2000; // in all
+  return report && report.number_of_inverted_quads > 0 && report.number_of_quads <= few;
 }
 
 // Makes them of another copy of the surface; those that were made before stay if they are better,
@@ -282,6 +290,8 @@ length, where that is from 0.5 to 1.5.
 - Where corners of the border are left out, and quads are inverted or vertices displaced, or the
   mean scaled Jacobian is less than 0.9, with all corners, if 70 % of the work is left, for at most
   1.2 times as many quads.
+- Where some of at most 2,000 quads are inverted even then, with 1.25, 1.5, and 2 times as many, one
+  after the other, unless none is inverted before, or the work is spent. The message tells of it.
 - Where no quads are found on refined surfaces, or without some corners, of the input as it is.
 
 \par Bounds
@@ -523,13 +533,31 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
       if(finer.refine(false) && finer.mesh().number_of_faces() > surface.mesh().number_of_faces())
         report = remesh_again(finer, options, report, any_number, result, is_feature);
     }
-    options.border_tolerance = 0;
-    if(has_flaws_at_border(report) && work.is_mostly_left()) {
+    const auto try_options = [&](const Remeshing_options& others, const double most_quads) {
       Surface_to_remesh other = copy();
       other.refine(true);
-      report = remesh_again(other, options, report, 1.2 * double(report.number_of_quads), result,
-                            is_feature);
+      report = remesh_again(other, others, report, most_quads, result, is_feature);
+    };
+    if(has_flaws_at_border(report) && work.is_mostly_left()) {
+      Remeshing_options others = options;
+      others.border_tolerance = 0;
+      try_options(others, 1.2 * double(report.number_of_quads));
     }
+    const Remeshing_report of_fewest = report;
+    for(const double factor : {1.25, 1.5, 2.})
+      if(has_few_inverted_quads(report) && work.is_left()) {
+        Remeshing_options others = options;
+        others.quantization.is_coarsest = false;
+        others.quantization.number_of_quads = factor * double(of_fewest.number_of_quads);
+        try_options(others, any_number);
+      }
+    if(report.number_of_inverted_quads < of_fewest.number_of_inverted_quads) {
+      report.message = std::to_string(of_fewest.number_of_quads) + " quads were found, too, " +
+                       std::to_string(of_fewest.number_of_inverted_quads) + " of them inverted";
+      if(!work.is_left())
+        add_note(report, words_for_spent_work);
+    }
+    options.border_tolerance = 0;
     if(report || !(is_refined || surface.number_of_corners_left_out() > 0) || !work.is_left())
       return report;
     Surface_to_remesh input = copy();
