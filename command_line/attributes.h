@@ -8,6 +8,7 @@
 #include "Model.h"
 #include "Repairs.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -25,6 +26,15 @@ struct Located_quads
     mesh.add_property_map<Mesh::Face_index, Location>("f:location").first;
   Edge_bool_map is_feature = mesh.add_property_map<Edge, bool>("e:feature", false).first;
   std::vector<Mesh::Face_index> written; // in this order; empty: in that of the mesh
+
+  // Takes the numbers that faces have in the mesh for those in the file.
+  void count_as_written(std::vector<std::size_t>& faces) const
+  {
+    for(std::size_t& f : faces)
+      if(!written.empty())
+        f = std::size_t(std::find(written.begin(), written.end(),
+                                  Mesh::Face_index(Mesh::size_type(f))) - written.begin());
+  }
 };
 
 // The quads with what hangs on the file of the model, if they are to be of the same format; else the

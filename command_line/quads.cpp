@@ -18,6 +18,7 @@
 #include "words.h"
 
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
+#include <CGAL/Quad_remeshing/measure_quad_shapes.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -141,7 +142,7 @@ struct Result
   // where the result is a mesh
   std::size_t number_of_irregular_vertices = 0;
   std::optional<Topologies> topologies;
-  QR::Remeshing_report shape; // its Jacobians
+  QR::Quad_shapes shapes;
   std::optional<Patch_counts> patches;
 
   bool is_rounded() const { return snapped.run.number_of_faces > 0; }
@@ -404,7 +405,7 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
     write_displacement(os, result.smoothed->number_of_displaced_vertices,
                        result.smoothed->largest_displacement);
   } else if(result.topologies) {
-    write_jacobians(os, result.shape);
+    write_shapes(os, result.shapes);
   }
   write_summary(os, result.patches);
 }
@@ -425,28 +426,31 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
             {"message", message},
             {"nonpositive_faces", report.nonpositive_faces},
             {"steps", json_of_steps(result.repaired.step_times)}};
-  return {{"written", true},
-          {"message", message},
-          {"number_of_quads", report.number_of_faces - report.number_of_other_polygons},
-          {"number_of_vertices", report.number_of_vertices},
-          {"number_of_irregular_vertices",
-           if_known(result.topologies.has_value(), result.number_of_irregular_vertices)},
-          {"number_of_inverted_quads", report.number_of_inverted_quads},
-          {"first_inverted_quads", report.first_inverted_quads},
-          {"shape", if_known(result.topologies.has_value(), json_of_jacobians(result.shape))},
-          {"smoothed", result.smoothed ? json_of_smoothing(*result.smoothed, result.diagonal)
-                                       : nlohmann::json()},
-          {"topology", json_of(result.topologies)},
-          {"patches", json_of(result.patches)},
-          {"number_of_other_polygons", report.number_of_other_polygons},
-          {"number_of_cut_cells", report.number_of_cut_cells},
-          {"nonpositive_faces", report.nonpositive_faces},
-          {"integers", result.integers},
-          {"number_of_repaired_flips", result.repaired.run.number_of_repaired_flips},
-          {"number_of_changed_cones", result.repaired.run.number_of_changed_cones},
-          {"part_of_domain_left_out", part_left_out(report)},
-          {"largest_rounding", if_known(result.is_rounded(), result.snapped.largest_rounding)},
-          {"steps", json_of_steps(result.repaired.step_times)}};
+  nlohmann::json json = {
+    {"written", true},
+    {"message", message},
+    {"number_of_quads", report.number_of_faces - report.number_of_other_polygons},
+    {"number_of_vertices", report.number_of_vertices},
+    {"number_of_irregular_vertices",
+     if_known(result.topologies.has_value(), result.number_of_irregular_vertices)},
+    {"number_of_inverted_quads", report.number_of_inverted_quads},
+    {"first_inverted_quads", report.first_inverted_quads},
+    {"smoothed", result.smoothed ? json_of_smoothing(*result.smoothed, result.diagonal)
+                                 : nlohmann::json()},
+    {"topology", json_of(result.topologies)},
+    {"patches", json_of(result.patches)},
+    {"number_of_other_polygons", report.number_of_other_polygons},
+    {"number_of_cut_cells", report.number_of_cut_cells},
+    {"nonpositive_faces", report.nonpositive_faces},
+    {"integers", result.integers},
+    {"number_of_repaired_flips", result.repaired.run.number_of_repaired_flips},
+    {"number_of_changed_cones", result.repaired.run.number_of_changed_cones},
+    {"part_of_domain_left_out", part_left_out(report)},
+    {"largest_rounding", if_known(result.is_rounded(), result.snapped.largest_rounding)},
+    {"steps", json_of_steps(result.repaired.step_times)}};
+  if(result.topologies)
+    json.update(json_of_shapes(result.shapes));
+  return json;
 }
 
 } // namespace
@@ -476,7 +480,7 @@ void quads(const Arguments& arguments)
     if(!options.soup) {
       result.number_of_irregular_vertices = number_of_irregular_vertices(result.mesh);
       result.topologies = {Topology(model.mesh), Topology(result.mesh)};
-      result.shape = measure_jacobians(result.mesh);
+      result.shapes = QR::measure_quad_shapes(result.mesh);
     }
     result.patches = write_patches(result.mesh, result.is_feature, options.patches);
     write_summary(os, options, result);

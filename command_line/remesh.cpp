@@ -488,10 +488,8 @@ void remesh(const Arguments& arguments)
     outcome.diagonal = ::diagonal(model.mesh);
     outcome.turn = median_turn(quads, directions, model.mesh);
     write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
-    for(std::size_t& f : report.first_inverted_quads) // as written
-      if(!quads.written.empty())
-        f = std::size_t(std::find(quads.written.begin(), quads.written.end(),
-                                  Mesh::Face_index(Mesh::size_type(f))) - quads.written.begin());
+    quads.count_as_written(report.first_inverted_quads);
+    quads.count_as_written(report.first_thin_quads);
     if(!options.picture.empty())
       write_file(options.picture, quad_picture(quads.mesh, quads.is_feature));
     outcome.patches = write_patches(quads.mesh, quads.is_feature, options.patches);

@@ -1,7 +1,8 @@
 // Tests of patches: each is a rectangle of quads, each quad is in one, and they are those of the
-// motorcycle graph, which is made by exact numbers, where each quad is a unit square. And which
-// features are noise.
+// motorcycle graph, which is made by exact numbers, where each quad is a unit square. How quads are
+// shaped. And which features are noise.
 
+#include <CGAL/Quad_remeshing/measure_quad_shapes.h>
 #include <CGAL/Quad_remeshing/quad_patches.h>
 #include <CGAL/Quad_remeshing/remove_feature_noise.h>
 
@@ -22,10 +23,12 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -265,6 +268,88 @@ void test_refusals()
   const Patches several = QR::quad_patches(pinched);
   CHECK(several.status == QR::Outcome::NOT_MANIFOLD);
   CHECK(several.message.find("vertex 0 ") != std::string::npos);
+}
+
+// --- shapes --------------------------------------------------------------------------------------
+
+// In the plane, 1 wide.
+void add_quad(Mesh& mesh, const double height, const double slant)
+{
+  const quad_reference::Kernel::Point_3 o(0, 0, 0), p(1, 0, 0), q(1 + slant, height, 0),
+    r(slant, height, 0);
+  CGAL::make_quad(o, p, q, r, mesh);
+}
+
+void test_known_shapes()
+{
+  using quad_reference::Kernel;
+  Mesh mesh;
+  const QR::Quad_shapes of_none = QR::measure_quad_shapes(mesh);
+  CHECK(of_none.mean_scaled_jacobian == 1 && of_none.number_of_thin_quads == 0);
+  const Kernel::Point_3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0);
+  CGAL::make_triangle(o, x, y, mesh);
+  add_quad(mesh, 1, 0);
+  add_quad(mesh, 0.75, 1); // a sine of 0.6
+  QR::Quad_shapes shapes = QR::measure_quad_shapes(mesh);
+  CHECK(std::abs(shapes.least_scaled_jacobian - 0.6) < 1e-15);
+  CHECK(std::abs(shapes.mean_scaled_jacobian - 0.8) < 1e-15);
+  CHECK_EQUAL(shapes.largest_aspect_ratio, 1.25);
+  CHECK(shapes.number_of_thin_quads == 0 && shapes.number_of_long_quads == 0);
+  add_quad(mesh, 10, 0);
+  CHECK_EQUAL(QR::measure_quad_shapes(mesh).number_of_long_quads, std::size_t(0));
+  add_quad(mesh, 10.5, 0);
+  add_quad(mesh, 0.09, 1);
+  const Kernel::Point_3 inside(0.25, 0.25, 0), z(0, 0, 1), up(1, 0, 1);
+  CGAL::make_quad(o, x, inside, y, mesh); // inverted
+  CGAL::make_triangle(o, x, y, mesh);
+  CGAL::make_quad(o, x, x, z, mesh); // a side without length
+  shapes = QR::measure_quad_shapes(mesh);
+  CHECK_EQUAL(shapes.least_scaled_jacobian, -1.);
+  CHECK_EQUAL(shapes.largest_aspect_ratio, std::numeric_limits<double>::infinity());
+  CHECK_EQUAL(shapes.number_of_long_quads, std::size_t(2));
+  CHECK_EQUAL(shapes.number_of_thin_quads, std::size_t(3));
+  CHECK((shapes.first_thin_quads == std::vector<std::size_t>{5, 6, 8}));
+  for(int i = 0; i < 20; ++i)
+    add_quad(mesh, 0.01, 1);
+  shapes = QR::measure_quad_shapes(mesh);
+  CHECK_EQUAL(shapes.number_of_thin_quads, std::size_t(23));
+  CHECK_EQUAL(shapes.first_thin_quads.size(), std::size_t(10));
+  // By the caller's points, and of another type of meshes.
+  const auto flat = boost::make_function_property_map<Mesh::Vertex_index>(
+    [&](const Mesh::Vertex_index v) { return mesh.point(v) + Kernel::Vector_3(v, v, v); });
+  CHECK(QR::measure_quad_shapes(mesh, parameters::vertex_point_map(flat)).mean_scaled_jacobian !=
+        shapes.mean_scaled_jacobian);
+  const surfaces::Polyhedron_copy<Kernel> copy(mesh);
+  CHECK_EQUAL(QR::measure_quad_shapes(copy.polyhedron).mean_scaled_jacobian,
+              shapes.mean_scaled_jacobian);
+}
+
+// Of quads in space that are not flat, by vectors of CGAL.
+void test_random_shapes()
+{
+  using quad_reference::Kernel;
+  Random random(seed);
+  for(int i = 0; i < 1000; ++i) {
+    const auto coordinate = [&] { return double(below(random, 1000)); };
+    std::array<Kernel::Point_3, 4> p;
+    for(Kernel::Point_3& q : p)
+      q = Kernel::Point_3(coordinate(), coordinate(), coordinate());
+    const Kernel::Vector_3 normal = CGAL::cross_product(p[2] - p[0], p[3] - p[1]);
+    double least = 1, shortest = std::numeric_limits<double>::infinity(), longest = 0;
+    for(std::size_t k = 0; k < 4; ++k) {
+      const Kernel::Vector_3 a = p[(k + 1) % 4] - p[k], b = p[(k + 3) % 4] - p[k];
+      least = (std::min)(least, CGAL::cross_product(a, b) * normal /
+                                  std::sqrt(a.squared_length() * b.squared_length() *
+                                            normal.squared_length()));
+      shortest = (std::min)(shortest, std::sqrt(a.squared_length()));
+      longest = (std::max)(longest, std::sqrt(a.squared_length()));
+    }
+    Mesh mesh;
+    CGAL::make_quad(p[0], p[1], p[2], p[3], mesh);
+    const QR::Quad_shapes shapes = QR::measure_quad_shapes(mesh);
+    CHECK(std::abs(shapes.least_scaled_jacobian - least) < 1e-12);
+    CHECK(std::abs(shapes.largest_aspect_ratio * shortest - longest) < 1e-9);
+  }
 }
 
 void test_polyhedron()
@@ -534,6 +619,8 @@ int main()
   test_random_meshes();
   test_known_surfaces();
   test_refusals();
+  test_known_shapes();
+  test_random_shapes();
   test_polyhedron();
   test_known_noise();
   test_random_noise();

@@ -22,6 +22,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Upper_sides.h>
+#include <CGAL/Quad_remeshing/measure_quad_shapes.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
@@ -1379,6 +1380,12 @@ void check_remeshing(const Parametrized_model& model, const QR::Remeshing_report
   for(const auto f : quads.faces())
     CHECK_EQUAL(quads.degree(f), 4u);
   CHECK_IN(name, report.mean_scaled_jacobian > 0.7 && report.mean_scaled_jacobian <= 1);
+  const QR::Quad_shapes shapes = QR::measure_quad_shapes(quads); // in another size
+  CHECK_EQUAL(report.least_scaled_jacobian, shapes.least_scaled_jacobian);
+  CHECK_EQUAL(report.mean_scaled_jacobian, shapes.mean_scaled_jacobian);
+  CHECK_EQUAL(report.largest_aspect_ratio, shapes.largest_aspect_ratio);
+  CHECK_EQUAL(report.number_of_long_quads, shapes.number_of_long_quads);
+  CHECK_IN(name, report.first_thin_quads == shapes.first_thin_quads);
   CHECK_EQUAL(report.first_inverted_quads.size(),
               (std::min)(report.number_of_inverted_quads, std::size_t(10)));
   if(std::abs(report.least_scaled_jacobian) > 1e-9)
@@ -2686,7 +2693,7 @@ Shaped shape(const Mesh& mesh, Mesh& quads)
     result.distance_before = surface.unscaled(smoother.measure_distance());
     QR::internal::Quad_shaper(quads, is_feature, surface.mesh(), lines, smoother).run(50);
     result.distance = surface.unscaled(smoother.measure_distance());
-    result.least_jacobian = smoother.measure_shape().least_scaled_jacobian;
+    result.least_jacobian = smoother.shapes().least_scaled_jacobian;
   });
   return result;
 }
@@ -2727,10 +2734,10 @@ struct Flat_quads
     run_on_copy(square, quads, [&](const auto&, const auto& is_feature, const auto& lines,
                                    auto& smoother) {
       QR::internal::Quad_improver improver(quads, is_feature, lines, smoother);
-      std::get<0>(result) = smoother.measure_shape().least_scaled_jacobian;
+      std::get<0>(result) = smoother.shapes().least_scaled_jacobian;
       improver.move_vertices();
       std::get<2>(result) = improver.remove_vertices_of_two_edges();
-      std::get<1>(result) = smoother.measure_shape().least_scaled_jacobian;
+      std::get<1>(result) = smoother.shapes().least_scaled_jacobian;
     });
     return result;
   }
@@ -2750,9 +2757,9 @@ void test_unfolding()
   flat.turn();
   run_on_copy(flat.square, flat.quads, [&](const auto&, const auto&, const auto&, auto& smoother) {
     const auto is_held = [&](const Vertex v) { return flat.quads.is_border(v); };
-    CHECK(smoother.measure_shape().least_scaled_jacobian < 0);
+    CHECK(smoother.shapes().least_scaled_jacobian < 0);
     smoother.smooth(10, is_held);
-    CHECK(smoother.measure_shape().least_scaled_jacobian < 0);
+    CHECK(smoother.shapes().least_scaled_jacobian < 0);
     smoother.unfold(is_held);
     const Point_3 p = flat.quads.point(flat.vertices[5]);
     smoother.unfold(is_held);
@@ -2784,9 +2791,9 @@ void test_unfolding_without_border()
         quads.add_face(v(0, 0), v(1, 0), v(1, 1), v(0, 1));
       }
     run_on_copy(flat.square, quads, [&](const auto&, const auto&, const auto&, auto& smoother) {
-      const double area = smoother.measure_shape().area;
+      const double area = smoother.area();
       smoother.unfold([](const Vertex) { return false; });
-      CHECK(smoother.measure_shape().area >= area / 2);
+      CHECK(smoother.area() >= area / 2);
     });
   }
 }
@@ -2828,13 +2835,6 @@ void test_long_sides()
   CHECK(report.largest_aspect_ratio < 100);
 }
 
-// A cube whose eight corners are cut off by six quads: their vertices find them.
-void test_distance_of_quads()
-{
-  const std::array<Point_3, 8> corners{Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0),
-                                       Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(1, 0, 1),
-                                       Point_3(1, 1, 1), Point_3(0, 1, 1)};
-  const std::vector<std::array<Mesh::size_type, 4> > sides{
 // Of ten tori, with a few quads each, some are inverted that can't be mended.
 void test_larger_number()
 {
@@ -2863,6 +2863,13 @@ void test_larger_number()
   CHECK(report.message.find(" of them inverted") != std::string::npos);
 }
 
+// A cube whose eight corners are cut off by six quads: their vertices find them.
+void test_distance_of_quads()
+{
+  const std::array<Point_3, 8> corners{Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(1, 1, 0),
+                                       Point_3(0, 1, 0), Point_3(0, 0, 1), Point_3(1, 0, 1),
+                                       Point_3(1, 1, 1), Point_3(0, 1, 1)};
+  const std::vector<std::array<Mesh::size_type, 4> > sides{
     {{0, 3, 2, 1}}, {{4, 5, 6, 7}}, {{0, 1, 5, 4}}, {{1, 2, 6, 5}}, {{2, 3, 7, 6}}, {{3, 0, 4, 7}}};
   Mesh cube, quads;
   const Point_3 peak(1, 1, 1);
@@ -2940,12 +2947,12 @@ void test_division()
       quads.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
     const internal::Surface_to_remesh surface = surface_to_remesh(surface_mesh);
     QR::internal::Quad_smoother smoother(quads, surface.mesh());
-    CHECK(smoother.measure_shape().least_scaled_jacobian <= 0);
+    CHECK(smoother.shapes().least_scaled_jacobian <= 0);
     QR::internal::Quad_divider divider(quads, is_feature, smoother);
     const bool is_helped = y < 1;
     CHECK_EQUAL(divider.run(), is_helped ? 1u : 0u);
     CHECK_EQUAL(faces(quads).size(), is_helped ? 5u : 1u);
-    CHECK(!is_helped || smoother.measure_shape().least_scaled_jacobian > 0.1);
+    CHECK(!is_helped || smoother.shapes().least_scaled_jacobian > 0.1);
     CHECK(CGAL::is_valid_polygon_mesh(quads) && CGAL::is_quad_mesh(quads));
     for(std::size_t i = 0; i < 4; ++i)
       CHECK_EQUAL(quads.point(v[i]), corners[i]);
@@ -3416,6 +3423,7 @@ int main()
   test_unfolding_without_border();
   test_shape_of_flat_quads();
   test_long_sides();
+  test_larger_number();
   test_distance_of_quads();
   test_improvement();
   test_division();
@@ -3423,7 +3431,6 @@ int main()
   test_folded_quads();
   test_quad_across_fin();
   test_collapse();
-  test_larger_number();
   test_triangles();
   test_refusals();
   return report_checks();

@@ -260,7 +260,7 @@ private:
     const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
     const double distance = (std::max)(smoother.measure_distance(),
                                        samples.largest_distance(m_quads));
-    return 2 * distance / diagonal - smoother.measure_shape().mean_scaled_jacobian +
+    return 2 * distance / diagonal - smoother.shapes().mean_scaled_jacobian +
            0.05 * double(smoother.number_of_inverted_quads()) +
            0.3 * double(m_quads.number_of_faces()) / m_least_number;
   }
@@ -294,7 +294,7 @@ private:
                  [&](const Feature_lines& lines, Quad_smoother& smoother)
                  { shape(lines, smoother, rounds_to_choose); },
                  [&](const Quad_smoother& smoother)
-                 { m_jacobian_of_fewest = smoother.measure_shape().mean_scaled_jacobian; });
+                 { m_jacobian_of_fewest = smoother.shapes().mean_scaled_jacobian; });
     const bool is_good = m_jacobian_of_fewest >= good_shape;
     Quantization_options options = m_run.options.quantization;
     options.maximum_feature_loss = 0; // the features that it lets go are released already
@@ -372,21 +372,16 @@ private:
     count();
     std::size_t i = 0;
     for(const auto f : m_quads.faces()) {
-      const bool is_bad = is_folded[i % is_folded.size()] || is_inverted(smoother.quad(f));
-      const bool is_thin = smoother.is_thin(f);
+      const auto quad = smoother.quad(f);
+      const bool is_bad = is_folded[i % is_folded.size()] || is_inverted(quad);
       if(is_bad)
         count_inverted_quad(i, m_run.report);
-      m_run.report.number_of_thin_quads += is_thin;
-      if(is_bad || is_thin)
-        for(const auto v : CGAL::vertices_around_face(m_quads.halfedge(f), m_quads))
-          (is_bad ? m_inverted_places : m_thin_places).push_back(m_quads.point(v));
+      if(is_bad || is_thin(scaled_jacobian(quad)))
+        for(const Space_vector& p : quad)
+          (is_bad ? m_inverted_places : m_thin_places).push_back(to_point(p));
       ++i;
     }
-    const Quad_smoother::Shape shape = smoother.measure_shape();
-    m_run.report.least_scaled_jacobian = shape.least_scaled_jacobian;
-    m_run.report.mean_scaled_jacobian = shape.mean_scaled_jacobian;
-    m_run.report.largest_aspect_ratio = shape.largest_aspect_ratio;
-    m_run.report.number_of_long_quads = shape.number_of_long_quads;
+    static_cast<Quad_shapes&>(m_run.report) = smoother.shapes();
     m_run.timer.finish("measurement");
     return true;
   }

@@ -19,6 +19,7 @@
 
 #include <CGAL/Linear_snapping/types/Report.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
+#include <CGAL/Quad_remeshing/types/Quad_shapes.h>
 
 #include <array>
 #include <cstddef>
@@ -48,7 +49,7 @@ struct Released_feature
 What `quad_remesh()` returns. Converts to `bool`: `true` if and only if the quads were written.
 */
 struct Remeshing_report
-  : public Report
+  : public Report, public Quad_shapes
 {
   /// \name Result
   /// @{
@@ -61,18 +62,6 @@ struct Remeshing_report
   std::size_t number_of_forced_quads = 0;
   /// features that are not kept as they force quads, with `maximum_feature_loss`
   std::vector<Released_feature> released_features;
-  /// the least one of a quad: of the sines of its angles, times the cosine between the corner's
-  /// normal and that of the quad, which is across its diagonals; 1 is best
-  double least_scaled_jacobian = 0;
-  double mean_scaled_jacobian = 0; ///< the mean over the quads
-  /// the longest side of a quad over its shortest one, of the quad where this is largest: infinite
-  /// where a side has no length
-  double largest_aspect_ratio = 0;
-  /// quads whose longest side is more than ten times their shortest one
-  std::size_t number_of_long_quads = 0;
-  /// quads with a scaled Jacobian of less than 0.1, inverted ones and ones with three corners on a
-  /// line among them
-  std::size_t number_of_thin_quads = 0;
   /// quads that are inverted: at a corner, their sides turn the other way than the quad as a whole
   /// does, or the quad has no area, or a side no length, decided exactly, for the points as
   /// doubles; or that lie upside down: by more than 120 degrees, if the surface is flat, they face

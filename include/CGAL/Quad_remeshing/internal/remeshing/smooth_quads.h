@@ -20,6 +20,7 @@
 
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Nearest_place_tree.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Shape_counter.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Space_vector.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
 
@@ -35,9 +36,6 @@
 namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
-
-// The area vector of a quad, times two.
-inline Space_vector quad_normal(const Quad_in_space& q) { return area_vector<double>(q); }
 
 // Of the quads around a vertex: the sum of their normals; one edge from it, and the longest length.
 struct Star_plane
@@ -59,39 +57,6 @@ struct Star_plane
     return result;
   }
 };
-
-// The sines of the angles, as seen along `normal`; -1 where there is no angle.
-inline std::array<double, 4> sines_of_angles(const Quad_in_space& q, const Space_vector& normal)
-{
-  std::array<double, 4> result;
-  const double size = norm(normal);
-  for(std::size_t i = 0; i < 4; ++i) {
-    const Space_vector a = vector_to(q[i], q[(i + 1) % 4]), b = vector_to(q[i], q[(i + 3) % 4]);
-    const double scale = norm(a) * norm(b) * size;
-    result[i] = scale > 0 ? inner_product(vector_product(a, b), normal) / scale : -1.;
-  }
-  return result;
-}
-
-// The least of them: 1 for rectangles, negative if a corner is inverted; the scaled Jacobian.
-inline double scaled_jacobian(const Quad_in_space& q, const Space_vector& normal)
-{
-  const std::array<double, 4> sines = sines_of_angles(q, normal);
-  return (std::min)(1., *std::min_element(sines.begin(), sines.end()));
-}
-
-// As seen along its own normal.
-inline double scaled_jacobian(const Quad_in_space& q) { return scaled_jacobian(q, quad_normal(q)); }
-
-// The longest side over the shortest one.
-inline double aspect_ratio(const Quad_in_space& q)
-{
-  std::array<double, 4> sides;
-  for(std::size_t i = 0; i < 4; ++i)
-    sides[i] = norm(vector_to(q[i], q[(i + 1) % 4]));
-  const auto [shortest, longest] = std::minmax_element(sides.begin(), sides.end());
-  return *shortest > 0 ? *longest / *shortest : std::numeric_limits<double>::infinity();
-}
 
 // Where a quad is to face: where the surface does beside it. One that does not face there, as on
 // sharp edges, is not to turn from where it does; one without area faces nowhere.
@@ -141,21 +106,20 @@ public:
     std::size_t number = number_of_inverted_quads();
     if(10 * number <= m_quads.number_of_faces())
       return;
-    Shape shape = measure_shape();
-    const double least_area = shape.area / 2;
+    double jacobian = shapes().mean_scaled_jacobian;
+    const double least_area = area() / 2;
     for(int block = 0; block < most_blocks && number > 0; ++block) {
       const std::vector<Point> points(m_quads.points().begin(), m_quads.points().end());
       for(int round = 0; round < rounds; ++round)
         for(const Vertex v : vertices(m_quads))
           if(!is_held(v))
             set_point(v, nearest(middle_of_neighbors(v), point(v)));
-      const Shape new_shape = measure_shape();
-      if(new_shape.mean_scaled_jacobian <= shape.mean_scaled_jacobian ||
-         new_shape.area < least_area) {
+      const double new_jacobian = shapes().mean_scaled_jacobian;
+      if(new_jacobian <= jacobian || area() < least_area) {
         std::copy(points.begin(), points.end(), m_quads.points().begin());
         return;
       }
-      shape = new_shape;
+      jacobian = new_jacobian;
       number = number_of_inverted_quads();
     }
   }
@@ -171,34 +135,21 @@ public:
           move(v);
   }
 
-  struct Shape
+  Quad_shapes shapes() const
   {
-    double least_scaled_jacobian = 1, mean_scaled_jacobian = 0, largest_aspect_ratio = 1;
-    double area = 0;
-    std::size_t number_of_long_quads = 0;
-  };
-
-  Shape measure_shape() const
-  {
-    Shape result;
-    double sum = 0;
-    for(const Face f : faces(m_quads)) {
-      const Quad_in_space q = quad(f);
-      const double value = scaled_jacobian(q), aspect = aspect_ratio(q);
-      result.least_scaled_jacobian = (std::min)(result.least_scaled_jacobian, value);
-      result.largest_aspect_ratio = (std::max)(result.largest_aspect_ratio, aspect);
-      result.number_of_long_quads += aspect > 10 ? 1 : 0;
-      result.area += norm(quad_normal(q)) / 2;
-      sum += value;
-    }
-    result.mean_scaled_jacobian = sum / static_cast<double>(faces(m_quads).size());
-    return result;
+    Shape_counter counter;
+    std::size_t i = 0;
+    for(const Face f : faces(m_quads))
+      counter.add(i++, quad(f));
+    return counter.shapes();
   }
 
-  bool is_thin(const Face f) const
+  double area() const
   {
-    constexpr double thin = 0.1; // as a scaled Jacobian
-    return scaled_jacobian(quad(f)) < thin;
+    double result = 0;
+    for(const Face f : faces(m_quads))
+      result += norm(quad_normal(quad(f))) / 2;
+    return result;
   }
 
   std::size_t number_of_inverted_quads() const

@@ -1,0 +1,111 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SHAPE_COUNTER_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SHAPE_COUNTER_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Measures how well quads are shaped, in floating point.
+
+#include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Space_vector.h>
+#include <CGAL/Quad_remeshing/types/Quad_shapes.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+// The area vector of a quad, times two.
+inline Space_vector quad_normal(const Quad_in_space& q) { return area_vector<double>(q); }
+
+// The sines of the angles, as seen along `normal`; -1 where there is no angle.
+inline std::array<double, 4> sines_of_angles(const Quad_in_space& q, const Space_vector& normal)
+{
+  std::array<double, 4> result;
+  const double size = norm(normal);
+  for(std::size_t i = 0; i < 4; ++i) {
+    const Space_vector a = vector_to(q[i], q[(i + 1) % 4]), b = vector_to(q[i], q[(i + 3) % 4]);
+    const double scale = norm(a) * norm(b) * size;
+    result[i] = scale > 0 ? inner_product(vector_product(a, b), normal) / scale : -1.;
+  }
+  return result;
+}
+
+// The least of them: 1 for rectangles, negative if a corner is inverted; the scaled Jacobian.
+inline double scaled_jacobian(const Quad_in_space& q, const Space_vector& normal)
+{
+  const std::array<double, 4> sines = sines_of_angles(q, normal);
+  return (std::min)(1., *std::min_element(sines.begin(), sines.end()));
+}
+
+// As seen along its own normal.
+inline double scaled_jacobian(const Quad_in_space& q) { return scaled_jacobian(q, quad_normal(q)); }
+
+// The longest side over the shortest one.
+inline double aspect_ratio(const Quad_in_space& q)
+{
+  std::array<double, 4> sides;
+  for(std::size_t i = 0; i < 4; ++i)
+    sides[i] = norm(vector_to(q[i], q[(i + 1) % 4]));
+  const auto [shortest, longest] = std::minmax_element(sides.begin(), sides.end());
+  return *shortest > 0 ? *longest / *shortest : std::numeric_limits<double>::infinity();
+}
+
+inline bool is_thin(const double scaled_jacobian) { return scaled_jacobian < 0.1; }
+
+class Shape_counter
+{
+public:
+  // \param face its number
+  void add(const std::size_t face, const Quad_in_space& q)
+  {
+    constexpr std::size_t listed_at_most = 10;
+    constexpr double most_of_short_quads = 10; // sides over others
+    const double jacobian = scaled_jacobian(q), aspect = aspect_ratio(q);
+    m_shapes.least_scaled_jacobian = (std::min)(m_shapes.least_scaled_jacobian, jacobian);
+    m_shapes.largest_aspect_ratio = (std::max)(m_shapes.largest_aspect_ratio, aspect);
+    m_shapes.number_of_long_quads += aspect > most_of_short_quads ? 1 : 0;
+    if(is_thin(jacobian)) {
+      ++m_shapes.number_of_thin_quads;
+      if(m_shapes.first_thin_quads.size() < listed_at_most)
+        m_shapes.first_thin_quads.push_back(face);
+    }
+    m_sum += jacobian;
+    ++m_number;
+  }
+
+  Quad_shapes shapes() const
+  {
+    Quad_shapes result = m_shapes;
+    if(m_number > 0)
+      result.mean_scaled_jacobian = m_sum / double(m_number);
+    return result;
+  }
+
+private:
+  Quad_shapes m_shapes;
+  double m_sum = 0; // of the scaled Jacobians
+  std::size_t m_number = 0;
+};
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_SHAPE_COUNTER_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_TYPES_QUAD_SHAPES_H
+#define CGAL_QUAD_REMESHING_TYPES_QUAD_SHAPES_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// How well quads are shaped.
+
+#include <CGAL/Quad_remeshing/internal/packages_below.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
+How well quads are shaped, in floating point: what `measure_quad_shapes()` returns.
+*/
+struct Quad_shapes
+{
+  /// the least one of a quad: of the sines of its angles, times the cosine between the corner's
+  /// normal and that of the quad, which is across its diagonals; 1 is best
+  double least_scaled_jacobian = 1;
+  double mean_scaled_jacobian = 1; ///< the mean over the quads
+  /// the longest side of a quad over its shortest one, of the quad where this is largest: infinite
+  /// where a side has no length
+  double largest_aspect_ratio = 1;
+  /// quads whose longest side is more than ten times their shortest one
+  std::size_t number_of_long_quads = 0;
+  /// quads with a scaled Jacobian of less than 0.1, inverted ones and ones with three corners on a
+  /// line among them
+  std::size_t number_of_thin_quads = 0;
+  /// the first of them, at most ten, counted from 0 in the order of iteration over all faces
+  std::vector<std::size_t> first_thin_quads;
+};
+
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_TYPES_QUAD_SHAPES_H
