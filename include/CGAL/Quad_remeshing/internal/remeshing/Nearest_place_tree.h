@@ -38,9 +38,6 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-using Space_segment = std::array<Space_vector, 2>;
-using Space_triangle = std::array<Space_vector, 3>;
-
 // Times two.
 inline Space_vector area_vector(const Space_triangle& t)
 { return vector_product(vector_to(t[0], t[1]), vector_to(t[0], t[2])); }

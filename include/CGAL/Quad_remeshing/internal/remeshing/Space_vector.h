@@ -29,8 +29,19 @@ namespace internal {
 
 using Space_vector = std::array<double, 3>;
 
+using Space_segment = std::array<Space_vector, 2>;
+using Space_triangle = std::array<Space_vector, 3>;
+
 inline Space_vector to_vector(const Remeshing_types::Point& p) { return {p.x(), p.y(), p.z()}; }
 inline Remeshing_types::Point to_point(const Space_vector& p) { return {p[0], p[1], p[2]}; }
+
+// \pre the face is a triangle
+inline Space_triangle triangle_of(const Remeshing_types::Mesh& mesh, const Remeshing_types::Face f)
+{
+  const auto h = mesh.halfedge(f);
+  return {to_vector(mesh.point(mesh.source(h))), to_vector(mesh.point(mesh.target(h))),
+          to_vector(mesh.point(mesh.target(mesh.next(h))))};
+}
 
 inline Space_vector between(const Space_vector& a, const Space_vector& b, const double part)
 {

@@ -81,10 +81,7 @@ public:
   {
     std::vector<Space_triangle> triangles;
     for(const auto f : faces(surface)) {
-      const auto h = halfedge(f, surface);
-      triangles.push_back({to_vector(surface.point(source(h, surface))),
-                           to_vector(surface.point(target(h, surface))),
-                           to_vector(surface.point(target(next(h, surface), surface)))});
+      triangles.push_back(triangle_of(surface, f));
       m_area += norm(area_vector(triangles.back())) / 2;
     }
     std::size_t f = 0;

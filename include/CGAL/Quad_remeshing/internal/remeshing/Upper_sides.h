@@ -19,6 +19,8 @@
 // so the places below them are looked for by walks, from where their corners were extracted.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Nearest_place_tree.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Space_vector.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -92,7 +94,7 @@ private:
   // nearest face if it has left that part, or came later.
   Face face_of_surface(const Vertex v) const
   {
-    const Point& p = m_quads.point(v);
+    const Space_vector p = m_smoother.point(v);
     if(m_starts[v] != Mesh::null_face()) {
       const Face f = walk(m_starts[v], p);
       if(squared_distance_to(p, f) < 1e-12)
@@ -117,14 +119,13 @@ private:
   }
 
   // The middle, and half way from there to each corner.
-  static std::array<Point, 5> places(const Quad& q)
+  static std::array<Space_vector, 5> places(const Quad& q)
   {
-    Space_vector middle{};
+    std::array<Space_vector, 5> result;
     for(std::size_t c = 0; c < 3; ++c)
-      middle[c] = (q[0][c] + q[1][c] + q[2][c] + q[3][c]) / 4;
-    std::array<Point, 5> result{to_point(middle)};
+      result[0][c] = (q[0][c] + q[1][c] + q[2][c] + q[3][c]) / 4;
     for(std::size_t i = 0; i < 4; ++i)
-      result[i + 1] = CGAL::midpoint(result[0], to_point(q[i]));
+      result[i + 1] = between(result[0], q[i], 0.5);
     return result;
   }
 
@@ -135,9 +136,9 @@ private:
   {
     Space_vector mean{};
     const std::vector<Face> starts = faces_of_corners(f);
-    const std::array<Point, 5> below = places(q);
+    const std::array<Space_vector, 5> below = places(q);
     for(const Face start : starts)
-      for(const Point& p : below) {
+      for(const Space_vector& p : below) {
         const Space_vector n = scaled_to_one(m_smoother.normal_of_surface(walk(start, p)));
         for(std::size_t c = 0; c < 3; ++c)
           mean[c] += n[c] / double(starts.size() * below.size());
@@ -146,7 +147,7 @@ private:
   }
 
   // To where no face around is nearer to a point; not over features.
-  Face walk(const Face start, const Point& p) const
+  Face walk(const Face start, const Space_vector& p) const
   {
     Face best = start;
     double least = squared_distance_to(p, best);
@@ -162,13 +163,8 @@ private:
     return best;
   }
 
-  double squared_distance_to(const Point& p, const Face f) const
-  {
-    const Halfedge h = mesh().halfedge(f);
-    return CGAL::squared_distance(
-      p, Kernel::Triangle_3(mesh().point(mesh().source(h)), mesh().point(mesh().target(h)),
-                            mesh().point(mesh().target(mesh().next(h)))));
-  }
+  double squared_distance_to(const Space_vector& p, const Face f) const
+  { return squared_distance(p, nearest_place(p, triangle_of(mesh(), f))); }
 
   // Around the corners of a face, in both directions.
   template <typename Visit>

@@ -80,7 +80,7 @@ public:
     std::vector<Space_triangle> triangles;
     const auto add_if = [&](const auto& is_wanted) {
       for(const Face f : surface.faces())
-        if(const Space_triangle t = triangle(f); is_wanted(t)) {
+        if(const Space_triangle t = triangle_of(surface, f); is_wanted(t)) {
           triangles.push_back(t);
           m_searched.push_back(f);
         }
@@ -265,7 +265,8 @@ public:
     return normal_of_surface(nearest_face(middle, quad_normal(q)));
   }
 
-  Space_vector normal_of_surface(const Face f) const { return area_vector(triangle(f)); }
+  Space_vector normal_of_surface(const Face f) const
+  { return area_vector(triangle_of(m_surface, f)); }
 
   // Of a surface that is a plane, or parallel ones that face to one side; else 0.
   Space_vector unit_normal_of_plane() const
@@ -285,15 +286,6 @@ public:
 private:
   using Tree = Nearest_place_tree<Space_triangle>;
 
-  Space_triangle triangle(const Face f) const
-  {
-    Space_triangle result;
-    std::size_t i = 0;
-    for(const auto v : CGAL::vertices_around_face(halfedge(f, m_surface), m_surface))
-      result[i++] = to_vector(m_surface.point(v));
-    return result;
-  }
-
   // \param largest_cosine of the angle between the normals of the two
   Face nearest_face(const Space_vector& p, const Space_vector& side, const double distance,
                     const double largest_cosine) const
@@ -312,8 +304,8 @@ private:
     Face result = nearest;
     double least = std::numeric_limits<double>::infinity();
     m_tree.visit_near(s, [&](const std::size_t i) {
-      const Space_triangle t = triangle(m_searched[i]);
-      const Space_vector other = scaled_to_one(normal_of_surface(m_searched[i]));
+      const Space_triangle t = triangle_of(m_surface, m_searched[i]);
+      const Space_vector other = scaled_to_one(area_vector(t));
       const double cosine = inner_product(other, normal);
       if(!(cosine < largest_cosine && inner_product(other, side) > 0) ||
          !CGAL::do_intersect(segment, Kernel::Triangle_3(to_point(t[0]), to_point(t[1]),
