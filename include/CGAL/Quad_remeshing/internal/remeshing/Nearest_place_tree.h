@@ -30,7 +30,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -100,17 +99,25 @@ public:
 
   // \pre there are fewer than 2^32
   explicit Nearest_place_tree(const std::vector<Element>& elements = {})
-    : m_numbers(elements.size())
   {
-    std::iota(m_numbers.begin(), m_numbers.end(), Index(0));
     if(elements.empty())
       return;
+    std::vector<Entry> entries;
+    entries.reserve(elements.size());
+    for(const Element& e : elements) {
+      Entry entry;
+      entry.number = Index(entries.size());
+      entry.box.extend(e);
+      for(const Space_vector& p : e)
+        for(std::size_t c = 0; c < 3; ++c)
+          entry.sum[c] += p[c];
+      entries.push_back(entry);
+    }
     m_nodes.reserve(elements.size());
     m_nodes.emplace_back();
-    build(0, 0, Index(elements.size()), elements);
     m_elements.reserve(elements.size());
-    for(const Index i : m_numbers)
-      m_elements.push_back(elements[i]);
+    m_numbers.reserve(elements.size());
+    build(0, entries.begin(), entries.end(), elements);
   }
 
   bool empty() const { return m_elements.empty(); }
@@ -216,28 +223,35 @@ private:
     Index first = 0, number_of_elements = 0;
   };
 
-  static constexpr Index most_in_leaf = 4;
+  // Of an element, whose points are not looked at again: its box, their sum, and its number.
+  struct Entry
+  {
+    Box box;
+    Space_vector sum{};
+    Index number;
+  };
+  using Entry_iterator = typename std::vector<Entry>::iterator;
 
-  // Of those of m_numbers from `begin` to `end`.
-  void build(const std::size_t node, const Index begin, const Index end,
+  static constexpr std::ptrdiff_t most_in_leaf = 4;
+
+  // Gives the node the elements from `begin` to `end`.
+  void build(const std::size_t node, const Entry_iterator begin, const Entry_iterator end,
              const std::vector<Element>& elements)
   {
     Box box;
-    for(Index i = begin; i < end; ++i)
-      box.extend(elements[m_numbers[i]]);
+    for(Entry_iterator e = begin; e != end; ++e)
+      box.extend(std::array<Space_vector, 2>{e->box.lower, e->box.upper});
     if(end - begin <= most_in_leaf) {
-      m_nodes[node] = {box, begin, end - begin};
+      m_nodes[node] = {box, Index(m_elements.size()), Index(end - begin)};
+      for(Entry_iterator e = begin; e != end; ++e) {
+        m_elements.push_back(elements[e->number]);
+        m_numbers.push_back(e->number);
+      }
       return;
     }
-    const auto middle = [&, c = box.longest_side()](const Index i) {
-      double sum = 0;
-      for(const Space_vector& p : elements[i])
-        sum += p[c];
-      return sum;
-    };
-    const Index half = begin + (end - begin) / 2;
-    std::nth_element(m_numbers.begin() + begin, m_numbers.begin() + half, m_numbers.begin() + end,
-                     [&](const Index i, const Index j) { return middle(i) < middle(j); });
+    const Entry_iterator half = begin + (end - begin) / 2;
+    std::nth_element(begin, half, end, [c = box.longest_side()](const Entry& a, const Entry& b)
+                                       { return a.sum[c] < b.sum[c]; });
     const Index first = Index(m_nodes.size());
     m_nodes[node] = {box, first, 0};
     m_nodes.resize(m_nodes.size() + 2);
