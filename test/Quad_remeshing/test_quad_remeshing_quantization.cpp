@@ -1633,14 +1633,13 @@ void test_spent_work()
 {
   const auto remesh = [](const Mesh& mesh, const double most, double& left) {
     const auto np = parameters::target_number_of_quads(300);
-    internal::Surface_to_remesh surface =
-      internal::surface_to_remesh(mesh, internal::strip(np), std::nullopt);
-    internal::Remeshing_options options =
-      internal::remeshing_options(mesh, internal::strip(np), false);
+    const auto& plain_np = internal::strip(np);
+    internal::Remeshing_options options = internal::remeshing_options(mesh, plain_np, false);
     *options.quantization.work = internal::Work(most);
     Mesh quads;
     const auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature").first;
-    const QR::Remeshing_report report = internal::remesh(surface, options, quads, is_feature);
+    const QR::Remeshing_report report = internal::remesh(
+      internal::surface_reader(mesh, plain_np), std::nullopt, options, quads, is_feature);
     left = options.quantization.work->left();
     CHECK_IN(report.message, (left == 0) == (report.message.find(internal::words_for_spent_work) !=
                                              std::string::npos));

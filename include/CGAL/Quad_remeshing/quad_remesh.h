@@ -85,43 +85,11 @@ std::optional<Mirror> mirror_of([[maybe_unused]] const NamedParameters& np)
     return std::nullopt;
 }
 
-// Makes the quads, as large as the input. The surface gets its map, and loses features that are
-// released.
+// Makes the quads of a surface, as large as the input, in all attempts.
 // \param is_feature of the edges of `quads`
-Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& options,
-                        Surface_to_remesh::Mesh& quads,
+Remeshing_report remesh(const Surface_to_remesh::Reader& read, const std::optional<Mirror>& mirror,
+                        const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature);
-
-// Whether more room between features may help.
-inline bool has_flaws(const Remeshing_report& report)
-{
-  constexpr double good_shape = 0.95; // a mean scaled Jacobian
-  return !report || report.number_of_released_edges > 0 || report.number_of_inverted_quads > 0 ||
-         report.number_of_displaced_vertices > 0 || report.mean_scaled_jacobian < good_shape;
-}
-
-// Whether the border as it is may be better than straight lines for it.
-inline bool has_flaws_at_border(const Remeshing_report& report)
-{
-  constexpr double fair_shape = 0.9; // a mean scaled Jacobian
-  return report && report.number_of_corners_left_out > 0 &&
-         (report.number_of_inverted_quads > 0 || report.number_of_displaced_vertices > 0 ||
-          report.mean_scaled_jacobian < fair_shape);
-}
-
-// Whether more quads may have room around cones and between features.
-inline bool has_few_inverted_quads(const Remeshing_report& report)
-{
-  constexpr std::size_t few = 2000; // in all
-  return report && report.number_of_inverted_quads > 0 && report.number_of_quads <= few;
-}
-
-// Makes them of another copy of the surface; those that were made before stay if they are better,
-// or the others more than `most_quads`, or more at all where there are to be as few as can be.
-Remeshing_report remesh_again(Surface_to_remesh& surface, const Remeshing_options& options,
-                              const Remeshing_report& before, double most_quads,
-                              Surface_to_remesh::Mesh& quads,
-                              const Surface_to_remesh::Feature_map& is_feature);
 
 // Gives the quads of a quantization a better shape.
 Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantization,
@@ -291,7 +259,8 @@ length, where that is from 0.5 to 1.5.
   mean scaled Jacobian is less than 0.9, with all corners, if 70 % of the work is left, for at most
   1.2 times as many quads.
 - Where some of at most 2,000 quads are inverted even then, with 1.25, 1.5, and 2 times as many, one
-  after the other, unless none is inverted before, or the work is spent. The message tells of it.
+  after the other, unless none is inverted before, or the work is spent; with
+  `minimize_number_of_quads`, as where one quad is wanted before these. The message tells of it.
 - Where no quads are found on refined surfaces, or without some corners, of the input as it is.
 
 \par Bounds
@@ -521,47 +490,9 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
 {
   using namespace internal;
   const auto& parameters = strip(np1);
-  const auto make_quads = [&](auto& result, const auto& is_feature, auto options) {
-    const auto copy = [&] { return surface_to_remesh(tmesh, parameters, mirror_of(parameters)); };
-    const Work& work = *options.quantization.work;
-    constexpr double any_number = std::numeric_limits<double>::infinity();
-    Surface_to_remesh surface = copy();
-    const bool is_refined = surface.refine(true);
-    Remeshing_report report = remesh(surface, options, result, is_feature);
-    if(has_flaws(report) && work.is_mostly_left()) {
-      Surface_to_remesh finer = copy();
-      if(finer.refine(false) && finer.mesh().number_of_faces() > surface.mesh().number_of_faces())
-        report = remesh_again(finer, options, report, any_number, result, is_feature);
-    }
-    const auto try_options = [&](const Remeshing_options& others, const double most_quads) {
-      Surface_to_remesh other = copy();
-      other.refine(true);
-      report = remesh_again(other, others, report, most_quads, result, is_feature);
-    };
-    if(has_flaws_at_border(report) && work.is_mostly_left()) {
-      Remeshing_options others = options;
-      others.border_tolerance = 0;
-      try_options(others, 1.2 * double(report.number_of_quads));
-    }
-    const Remeshing_report of_fewest = report;
-    for(const double factor : {1.25, 1.5, 2.})
-      if(has_few_inverted_quads(report) && work.is_left()) {
-        Remeshing_options others = options;
-        others.quantization.is_coarsest = false;
-        others.quantization.number_of_quads = factor * double(of_fewest.number_of_quads);
-        try_options(others, any_number);
-      }
-    if(report.number_of_inverted_quads < of_fewest.number_of_inverted_quads) {
-      report.message = std::to_string(of_fewest.number_of_quads) + " quads were found, too, " +
-                       std::to_string(of_fewest.number_of_inverted_quads) + " of them inverted";
-      if(!work.is_left())
-        add_note(report, words_for_spent_work);
-    }
-    options.border_tolerance = 0;
-    if(report || !(is_refined || surface.number_of_corners_left_out() > 0) || !work.is_left())
-      return report;
-    Surface_to_remesh input = copy();
-    return remesh_again(input, options, report, any_number, result, is_feature);
+  const auto make_quads = [&](auto& result, const auto& is_feature, const auto& options) {
+    return remesh(surface_reader(tmesh, parameters), mirror_of(parameters), options, result,
+                  is_feature);
   };
   return write_quads(tmesh, quads, parameters, strip(np2), true, make_quads);
 }

@@ -576,10 +576,11 @@ inline double border_tolerance(const Surface_to_remesh& surface, const Remeshing
   return options.border_tolerance.value_or(length / 2);
 }
 
-CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& options,
-                        Surface_to_remesh::Mesh& quads,
-                        const Surface_to_remesh::Feature_map& is_feature)
+// Also without features near bad quads, which the surface loses; it gets its map.
+inline Remeshing_report remesh_surface(Surface_to_remesh& surface,
+                                       const Remeshing_options& options,
+                                       Surface_to_remesh::Mesh& quads,
+                                       const Surface_to_remesh::Feature_map& is_feature)
 {
   using Mesh = Surface_to_remesh::Mesh;
   surface.straighten_border(border_tolerance(surface, options));
@@ -628,25 +629,130 @@ Remeshing_report remesh(Surface_to_remesh& surface, const Remeshing_options& opt
   return best;
 }
 
-CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-Remeshing_report remesh_again(Surface_to_remesh& surface, const Remeshing_options& options,
-                              const Remeshing_report& before, const double most_quads,
-                              Surface_to_remesh::Mesh& quads,
-                              const Surface_to_remesh::Feature_map& is_feature)
+// Makes quads of copies of a surface; the best ones stay.
+class Attempts
 {
-  Remeshing_report best = before;
-  double most = most_quads, unit = std::numeric_limits<double>::infinity();
-  if(before && options.quantization.is_coarsest) {
-    unit = double(before.number_of_quads);
-    most = (std::min)(most, unit);
+public:
+  Attempts(const Surface_to_remesh::Reader& read, const std::optional<Mirror>& mirror,
+           const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
+           const Surface_to_remesh::Feature_map& is_feature)
+    : m_read(read), m_mirror(mirror), m_options(options), m_quads(quads), m_is_feature(is_feature)
+  { }
+
+  Remeshing_report run()
+  {
+    Surface_to_remesh surface(m_read, m_mirror);
+    const bool is_refined = surface.refine(true);
+    m_best = remesh_surface(surface, m_options, m_quads, m_is_feature);
+    if(has_flaws() && work().is_mostly_left()) {
+      Surface_to_remesh finer(m_read, m_mirror);
+      if(finer.refine(false) && finer.mesh().number_of_faces() > surface.mesh().number_of_faces())
+        try_surface(finer, m_options);
+    }
+    Remeshing_options with_corners = m_options;
+    with_corners.border_tolerance = 0;
+    if(has_flaws_at_border() && work().is_mostly_left())
+      try_refined(with_corners, 1.2 * double(m_best.number_of_quads));
+    add_larger_numbers();
+    if(!m_best && (is_refined || surface.number_of_corners_left_out() > 0) && work().is_left()) {
+      Surface_to_remesh input(m_read, m_mirror);
+      try_surface(input, with_corners);
+    }
+    return m_best;
   }
-  const Is_better is_better(surface, unit);
-  make_others([&](auto& mesh, const auto& is_kept)
-              { return remesh(surface, options, mesh, is_kept); },
-              [&](const Remeshing_report& a, const Remeshing_report& b)
-              { return double(a.number_of_quads) <= most && is_better(a, b); },
-              quads, is_feature, best);
-  return best;
+
+private:
+  static constexpr double any_number = std::numeric_limits<double>::infinity();
+
+  const Work& work() const { return *m_options.quantization.work; }
+
+  // Whether more room between features may help.
+  bool has_flaws() const
+  {
+    constexpr double good_shape = 0.95; // a mean scaled Jacobian
+    return !m_best || m_best.number_of_released_edges > 0 ||
+           m_best.number_of_inverted_quads > 0 || m_best.number_of_displaced_vertices > 0 ||
+           m_best.mean_scaled_jacobian < good_shape;
+  }
+
+  // Whether the border as it is may be better than straight lines for it.
+  bool has_flaws_at_border() const
+  {
+    constexpr double fair_shape = 0.9; // a mean scaled Jacobian
+    return m_best && m_best.number_of_corners_left_out > 0 &&
+           (m_best.number_of_inverted_quads > 0 || m_best.number_of_displaced_vertices > 0 ||
+            m_best.mean_scaled_jacobian < fair_shape);
+  }
+
+  // Whether more quads may have room around cones and between features.
+  bool has_few_inverted_quads() const
+  {
+    constexpr std::size_t few = 2000; // in all
+    return m_best && m_best.number_of_inverted_quads > 0 && m_best.number_of_quads <= few;
+  }
+
+  void add_larger_numbers()
+  {
+    const std::size_t fewest = m_best.number_of_quads, inverted = m_best.number_of_inverted_quads;
+    Remeshing_options options = m_options;
+    options.quantization.is_coarsest = false;
+    std::vector<double> numbers;
+    if(m_options.quantization.is_coarsest)
+      numbers.push_back(1); // which chooses among maps by the shape of their quads
+    for(const double factor : {1.25, 1.5, 2.})
+      numbers.push_back(factor * double(fewest));
+    for(const double number : numbers)
+      if(has_few_inverted_quads() && work().is_left()) {
+        options.quantization.number_of_quads = number;
+        try_refined(options, any_number);
+      }
+    if(m_best.number_of_inverted_quads < inverted) {
+      m_best.message = std::to_string(fewest) + " quads were found, too, " +
+                       std::to_string(inverted) + " of them inverted";
+      if(!work().is_left())
+        add_note(m_best, words_for_spent_work);
+    }
+  }
+
+  void try_refined(const Remeshing_options& options, const double most_quads)
+  {
+    Surface_to_remesh surface(m_read, m_mirror);
+    surface.refine(true);
+    try_surface(surface, options, most_quads);
+  }
+
+  // The quads that were made before stay if they are better, or the others more than `most_quads`,
+  // or more at all where there are to be as few as can be.
+  void try_surface(Surface_to_remesh& surface, const Remeshing_options& options,
+                   const double most_quads = any_number)
+  {
+    double most = most_quads, unit = std::numeric_limits<double>::infinity();
+    if(m_best && options.quantization.is_coarsest) {
+      unit = double(m_best.number_of_quads);
+      most = (std::min)(most, unit);
+    }
+    const Is_better is_better(surface, unit);
+    make_others([&](auto& mesh, const auto& is_kept)
+                { return remesh_surface(surface, options, mesh, is_kept); },
+                [&](const Remeshing_report& a, const Remeshing_report& b)
+                { return double(a.number_of_quads) <= most && is_better(a, b); },
+                m_quads, m_is_feature, m_best);
+  }
+
+  const Surface_to_remesh::Reader& m_read;
+  const std::optional<Mirror>& m_mirror;
+  const Remeshing_options& m_options;
+  Surface_to_remesh::Mesh& m_quads;
+  Surface_to_remesh::Feature_map m_is_feature;
+  Remeshing_report m_best;
+};
+
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+Remeshing_report remesh(const Surface_to_remesh::Reader& read, const std::optional<Mirror>& mirror,
+                        const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
+                        const Surface_to_remesh::Feature_map& is_feature)
+{
+  return Attempts(read, mirror, options, quads, is_feature).run();
 }
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION

@@ -101,13 +101,13 @@ locate_in_face(const Point& point,
                                      place_of(point))};
 }
 
+// Copies a mesh. Both arguments are to be there as long as it is used.
 template <typename TriangleMesh, typename NamedParameters>
-Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParameters& np,
-                                    const std::optional<Mirror>& mirror)
+Surface_to_remesh::Reader surface_reader(const TriangleMesh& tmesh, const NamedParameters& np)
 {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   using Copy = Surface_to_remesh;
-  const auto read = [&](Marked_surface& surface) {
+  return [&](Marked_surface& surface) {
     Copy::Mesh& copy = surface.mesh;
     std::vector<std::pair<Halfedge, Copy::Halfedge> > copies;
     CGAL::copy_face_graph(
@@ -132,8 +132,12 @@ Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParame
         surface.sizes[copy.target(h)] = CGAL::to_double(get(size_map, target(original, tmesh)));
     }
   };
-  return Surface_to_remesh(read, mirror);
 }
+
+template <typename TriangleMesh, typename NamedParameters>
+Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParameters& np,
+                                    const std::optional<Mirror>& mirror)
+{ return {surface_reader(tmesh, np), mirror}; }
 
 // Which elements of quads are to be located on the input.
 struct Located_elements
