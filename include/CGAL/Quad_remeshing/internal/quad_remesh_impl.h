@@ -652,7 +652,9 @@ public:
     Remeshing_options with_corners = m_options;
     with_corners.border_tolerance = 0;
     if(has_flaws_at_border() && work().is_mostly_left())
-      try_refined(with_corners, 1.2 * double(m_best.number_of_quads));
+      try_refined(with_corners, [most = 1.2 * double(m_best.number_of_quads)]
+                                (const Remeshing_report& r)
+                                { return double(r.number_of_quads) <= most; });
     add_larger_numbers();
     if(!m_best && (is_refined || surface.number_of_corners_left_out() > 0) && work().is_left()) {
       Surface_to_remesh input(m_read, m_mirror);
@@ -662,8 +664,6 @@ public:
   }
 
 private:
-  static constexpr double any_number = std::numeric_limits<double>::infinity();
-
   const Work& work() const { return *m_options.quantization.work; }
 
   // Whether more room between features may help.
@@ -693,49 +693,54 @@ private:
 
   void add_larger_numbers()
   {
-    const std::size_t fewest = m_best.number_of_quads, inverted = m_best.number_of_inverted_quads;
+    const Remeshing_report fewest = m_best;
+    const auto is_mended = [&](const Remeshing_report& r)
+      { return r && r.number_of_inverted_quads < m_best.number_of_inverted_quads; };
     Remeshing_options options = m_options;
     options.quantization.is_coarsest = false;
     std::vector<double> numbers;
     if(m_options.quantization.is_coarsest)
       numbers.push_back(1); // which chooses among maps by the shape of their quads
     for(const double factor : {1.25, 1.5, 2.})
-      numbers.push_back(factor * double(fewest));
+      numbers.push_back(factor * double(fewest.number_of_quads));
     for(const double number : numbers)
       if(has_few_inverted_quads() && work().is_left()) {
         options.quantization.number_of_quads = number;
-        try_refined(options, any_number);
+        try_refined(options, is_mended);
       }
-    if(m_best.number_of_inverted_quads < inverted) {
-      m_best.message = std::to_string(fewest) + " quads were found, too, " +
-                       std::to_string(inverted) + " of them inverted";
-      if(!work().is_left())
-        add_note(m_best, words_for_spent_work);
+    if(m_best.number_of_inverted_quads < fewest.number_of_inverted_quads) {
+      m_best.message = fewest.message; // which tells why there are so many
+      add_note(m_best, std::to_string(fewest.number_of_quads) + " quads were found, too, " +
+                       std::to_string(fewest.number_of_inverted_quads) + " of them inverted");
     }
+    if(fewest && !work().is_left())
+      add_note(m_best, words_for_spent_work);
   }
 
-  void try_refined(const Remeshing_options& options, const double most_quads)
+  template <typename May_take>
+  void try_refined(const Remeshing_options& options, const May_take& may_take)
   {
     Surface_to_remesh surface(m_read, m_mirror);
     surface.refine(true);
-    try_surface(surface, options, most_quads);
+    try_surface(surface, options, may_take);
   }
 
-  // The quads that were made before stay if they are better, or the others more than `most_quads`,
-  // or more at all where there are to be as few as can be.
+  void try_surface(Surface_to_remesh& surface, const Remeshing_options& options)
+  { try_surface(surface, options, [](const Remeshing_report&) { return true; }); }
+
+  // The quads that were made before stay if they are better, or the others not to be taken, or more
+  // where there are to be as few as can be.
+  template <typename May_take>
   void try_surface(Surface_to_remesh& surface, const Remeshing_options& options,
-                   const double most_quads = any_number)
+                   const May_take& may_take)
   {
-    double most = most_quads, unit = std::numeric_limits<double>::infinity();
-    if(m_best && options.quantization.is_coarsest) {
-      unit = double(m_best.number_of_quads);
-      most = (std::min)(most, unit);
-    }
+    const double unit = m_best && options.quantization.is_coarsest
+      ? double(m_best.number_of_quads) : std::numeric_limits<double>::infinity();
     const Is_better is_better(surface, unit);
     make_others([&](auto& mesh, const auto& is_kept)
                 { return remesh_surface(surface, options, mesh, is_kept); },
                 [&](const Remeshing_report& a, const Remeshing_report& b)
-                { return double(a.number_of_quads) <= most && is_better(a, b); },
+                { return double(a.number_of_quads) <= unit && may_take(a) && is_better(a, b); },
                 m_quads, m_is_feature, m_best);
   }
 
