@@ -830,6 +830,13 @@ void test_refusals()
   check_refusal(*map, Status::NOT_INTEGER, "integer", parameters::grid_scale(0.25));
   check_refusal(*map, Status::TOO_LARGE, "; shrink the map", parameters::grid_scale(1 << 20)
                                                                .maximum_number(~std::size_t(0)));
+  for(const double bad : {infinity, -infinity, nan}) {
+    Point_3& p = map->mesh.point(Mesh::Vertex_index(3));
+    const Point_3 old = p;
+    p = Point_3(old.x(), bad, old.z());
+    check_refusal(*map, Status::NOT_FINITE, "vertex 3 has", none);
+    p = old;
+  }
   const Halfedge h = map->mesh.halfedge(Mesh::Face_index(5));
   const Point_2 good = map->at(h);
   for(const double bad : {infinity, -infinity, nan, 1e301}) {

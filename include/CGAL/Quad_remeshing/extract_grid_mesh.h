@@ -156,6 +156,7 @@ Nothing is written unless the extraction succeeds.
         Otherwise `Extraction_report::status` is what `Seam_transitions::failure()` can be, or
         - `INVALID_ARGUMENT`: the mesh has no face, or the coordinates times `grid_scale` are not
           exact;
+        - `NOT_FINITE`: a coordinate of a point is NaN or infinite;
         - `NOT_SEAMLESS`: the parametrization is not exactly seamless;
         - `NOT_INTEGER`: a translation is no integer, or a cone or a corner of the border lies on a
           line of the grid, but on no point of it;

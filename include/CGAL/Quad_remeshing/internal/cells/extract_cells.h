@@ -28,6 +28,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
@@ -36,6 +37,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -137,9 +139,17 @@ Extraction_report run_and_write(Cell_extractor<Group>& extractor, const Triangle
                                 const NamedParameters& np, const LocatePoint& locate_point,
                                 Output& output)
 {
+  const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
+                                CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
+  for(const auto f : faces(tmesh))
+    for(const auto v : CGAL::vertices_around_face(halfedge(f, tmesh), tmesh))
+      for(const double x : place_of(get(point_map, v)))
+        if(!std::isfinite(x))
+          return refused<Extraction_report>(
+            Outcome::NOT_FINITE,
+            "vertex " + std::to_string(get(CGAL::get_initialized_vertex_index_map(tmesh, np), v)) +
+              " has a NaN or infinite coordinate");
   const auto locate = [&] {
-    const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
-                                  CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
     output.template locate<ConcurrencyTag>(extractor,
                                            Grid_embedding(tmesh, point_map, locate_point));
   };

@@ -78,10 +78,11 @@ inline bool is_inverted(const Quad_in_space& q)
 {
   double size = 0; // of vectors between corners
   for(std::size_t k = 1; k < 4; ++k)
-    for(const double x : vector_between<double>(q, 0, k))
+    for(const double x : vector_between<double>(q, 0, k)) {
+      if(!std::isfinite(2 * x))
+        return true;
       size = (std::max)(size, 2 * std::abs(x));
-  if(!std::isfinite(size))
-    return true;
+    }
 
   // With u = 2^-53, components of products of two vectors are wrong by at most 8 u size^2, and such
   // a value by at most 140 u size^4, which is less than 1e-13 size^4.
