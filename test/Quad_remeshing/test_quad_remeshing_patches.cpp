@@ -314,6 +314,18 @@ void test_known_shapes()
   shapes = QR::measure_quad_shapes(mesh);
   CHECK_EQUAL(shapes.number_of_thin_quads, std::size_t(23));
   CHECK_EQUAL(shapes.first_thin_quads.size(), std::size_t(10));
+  // Of any size, and without numbers that mean nothing.
+  for(const double size : {1e-300, 1e-100, 1e100, 1e300}) {
+    Mesh square;
+    CGAL::make_quad(o, Kernel::Point_3(size, 0, 0), Kernel::Point_3(size, size, 0),
+                    Kernel::Point_3(0, size, 0), square);
+    CHECK_EQUAL(QR::measure_quad_shapes(square).least_scaled_jacobian, 1.);
+  }
+  for(const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    Mesh square;
+    CGAL::make_quad(o, x, Kernel::Point_3(1, 1, bad), y, square);
+    CHECK_EQUAL(QR::measure_quad_shapes(square).mean_scaled_jacobian, -1.);
+  }
   // By the caller's points, and of another type of meshes.
   const auto flat = boost::make_function_property_map<Mesh::Vertex_index>(
     [&](const Mesh::Vertex_index v) { return mesh.point(v) + Kernel::Vector_3(v, v, v); });

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -69,14 +70,34 @@ inline double aspect_ratio(const Quad_in_space& q)
 
 inline bool is_thin(const double scaled_jacobian) { return scaled_jacobian < 0.1; }
 
+// The same, times a power of two, so that no product of four lengths is 0 or infinite; one point if
+// it has infinite coordinates, or NaN.
+inline Quad_in_space scaled_to_size(Quad_in_space q)
+{
+  double size = 0;
+  for(std::size_t k = 1; k < 4; ++k)
+    for(const double x : vector_between<double>(q, 0, k)) {
+      if(!std::isfinite(x))
+        return {};
+      size = (std::max)(size, std::abs(x));
+    }
+  if(size == 0 || (size > 1e-60 && size < 1e60))
+    return q;
+  for(Space_vector& p : q)
+    for(double& x : p)
+      x = std::ldexp(x, -std::ilogb(size));
+  return q;
+}
+
 class Shape_counter
 {
 public:
   // \param face its number
-  void add(const std::size_t face, const Quad_in_space& q)
+  void add(const std::size_t face, const Quad_in_space& quad)
   {
     constexpr std::size_t listed_at_most = 10;
     constexpr double most_of_short_quads = 10; // sides over others
+    const Quad_in_space q = scaled_to_size(quad);
     const double jacobian = scaled_jacobian(q), aspect = aspect_ratio(q);
     m_shapes.least_scaled_jacobian = (std::min)(m_shapes.least_scaled_jacobian, jacobian);
     m_shapes.largest_aspect_ratio = (std::max)(m_shapes.largest_aspect_ratio, aspect);
