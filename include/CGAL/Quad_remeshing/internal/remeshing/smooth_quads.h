@@ -301,15 +301,17 @@ private:
       s[1][c] = place.point[c] + distance * normal[c];
     }
     const Kernel::Segment_3 segment(to_point(s[0]), to_point(s[1]));
+    if(segment.is_degenerate()) // far from the origin
+      return nearest;
     Face result = nearest;
     double least = std::numeric_limits<double>::infinity();
     m_tree.visit_near(s, [&](const std::size_t i) {
       const Space_triangle t = triangle_of(m_surface, m_searched[i]);
       const Space_vector other = scaled_to_one(area_vector(t));
       const double cosine = inner_product(other, normal);
-      if(!(cosine < largest_cosine && inner_product(other, side) > 0) ||
-         !CGAL::do_intersect(segment, Kernel::Triangle_3(to_point(t[0]), to_point(t[1]),
-                                                         to_point(t[2]))))
+      const Kernel::Triangle_3 triangle(to_point(t[0]), to_point(t[1]), to_point(t[2]));
+      if(!(cosine < largest_cosine && inner_product(other, side) > 0) || triangle.is_degenerate() ||
+         !CGAL::do_intersect(segment, triangle))
         return;
       const double along_normal =
         std::abs(inner_product(vector_to(place.point, t[0]), other) / cosine);
