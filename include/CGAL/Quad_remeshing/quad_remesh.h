@@ -429,7 +429,9 @@ in any case takes some seconds on 100,000 faces, and about as long for 10,000 qu
                           barycentric coordinates there, in the order of
                           `CGAL::Polygon_mesh_processing::Face_location`, so that whatever hangs on
                           the input can be interpolated. Among the faces that are nearest, as at an
-                          edge, any may be taken.}
+                          edge, any may be taken; and where the nearest one faces against the quads
+                          around, as on a plate that is thin against them, one on their side, up to
+                          half of their size away.}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and
                    `std::pair<boost::graph_traits<TriangleMesh>::%face_descriptor,

@@ -194,6 +194,9 @@ public:
     const auto face_map = parameter(internal_np::face_location);
     const auto feature_map = parameter(CGAL::internal_np::edge_is_constrained);
     using Traits = boost::graph_traits<QuadMesh>;
+    std::vector<Face> faces_of_input; // which the quads may join, in any place
+    if constexpr(is_given<decltype(vertex_map)> || is_given<decltype(face_map)>)
+      faces_of_input.assign(CGAL::faces(m_tmesh).begin(), CGAL::faces(m_tmesh).end());
     std::vector<std::pair<Mesh::Vertex_index, typename Traits::vertex_descriptor> > vertices;
     std::vector<std::pair<Mesh::Halfedge_index, typename Traits::halfedge_descriptor> > halfedges;
     std::vector<std::pair<Mesh::Face_index, typename Traits::face_descriptor> > faces;
@@ -204,8 +207,6 @@ public:
                        .face_to_face_output_iterator(std::back_inserter(faces)),
       CGAL::parameters::vertex_point_map(point_map_of_quads(quads, m_np2)));
     if constexpr(is_given<decltype(vertex_map)> || is_given<decltype(face_map)>) {
-      const auto [begin, end] = CGAL::faces(m_tmesh);
-      const std::vector<Face> faces_of_input(begin, end);
       const auto locate = [&](const auto& point, const std::size_t number)
         { return locate_in_face(point, faces_of_input[number], m_tmesh, point_map_of_input()); };
       if constexpr(is_given<decltype(vertex_map)>)
