@@ -547,6 +547,28 @@ void test_random_noise()
   CHECK(number_of_nets_of_noise > 100 && number_of_nets_of_noise < 500);
 }
 
+// Of slivers in a plane, where third sides become features, and cease to be: the number is that of
+// those that were features before.
+void test_number_removed()
+{
+  Random random(seed);
+  for(int i = 0; i < 200; ++i) {
+    using quad_reference::Kernel;
+    const auto point = [&](const std::size_t x, const std::size_t y)
+      { return Kernel::Point_3(double(x) + below(random, 100) / 110., double(y), 0); };
+    Mesh mesh;
+    CGAL::make_grid(8, 8, mesh, point, true);
+    const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+    std::vector<Mesh::Edge_index> before;
+    for(const auto e : mesh.edges())
+      if((is_feature[e] = below(random, 3) == 0) && !mesh.is_border(e))
+        before.push_back(e);
+    const std::size_t number = QR::remove_feature_noise(mesh, is_feature, 1.5);
+    CHECK_EQUAL(number, std::size_t(std::count_if(before.begin(), before.end(),
+                                                  [&](const auto e) { return !is_feature[e]; })));
+  }
+}
+
 // A sliver between two triangles, with or without one below its longest side, and others around.
 void test_slivers()
 {
@@ -636,6 +658,7 @@ int main()
   test_polyhedron();
   test_known_noise();
   test_random_noise();
+  test_number_removed();
   test_slivers();
   test_tips_of_faces();
   return report_checks();

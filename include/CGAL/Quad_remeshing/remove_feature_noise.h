@@ -58,10 +58,8 @@ public:
     : m_mesh(mesh), m_is_feature(is_feature), m_point_map(point_map), m_close(close)
   { }
 
-  // Returns how many were removed.
-  std::size_t remove()
+  void remove()
   {
-    std::size_t result = 0;
     for(const auto f : faces(m_mesh))
       for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
         Halfedge shorter = opposite(h, m_mesh), longer = next(h, m_mesh);
@@ -74,13 +72,11 @@ public:
            is_tip_of_larger_face(shorter, longer, third))
           continue;
         put(m_is_feature, edge(shorter, m_mesh), false);
-        ++result;
         if(!is_aligned(third) && number_at_target(h) == 1 && number_at_target(shorter) > 0) {
           put(m_is_feature, edge(third, m_mesh), true);
           break; // or else, at the next corner, the third side would give way
         }
       }
-    return result;
   }
 
 private:
@@ -244,7 +240,11 @@ std::size_t remove_feature_noise(const TriangleMesh& tmesh, EdgeIsConstrainedMap
   const auto index_map = CGAL::get_initialized_vertex_index_map(tmesh, stripped);
   if(!(length > 0))
     return 0;
-  std::size_t result = internal::Sliver_sides(tmesh, is_feature, point_map, length / 3).remove();
+  std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> features_before;
+  for(const auto e : edges(tmesh))
+    if(!CGAL::is_border(e, tmesh) && get(is_feature, e))
+      features_before.push_back(e);
+  internal::Sliver_sides(tmesh, is_feature, point_map, length / 3).remove();
   std::vector<char> is_on_border(num_vertices(tmesh), false);
   std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> features;
   std::vector<internal::Feature_net::Edge> edges_of_net;
@@ -262,11 +262,10 @@ std::size_t remove_feature_noise(const TriangleMesh& tmesh, EdgeIsConstrainedMap
   internal::Feature_net net(std::move(edges_of_net), std::move(is_on_border));
   net.remove_noise(length);
   for(std::size_t i = 0; i < features.size(); ++i)
-    if(!net.edge(i).is_kept) {
+    if(!net.edge(i).is_kept)
       put(is_feature, features[i], false);
-      ++result;
-    }
-  return result;
+  return std::size_t(std::count_if(features_before.begin(), features_before.end(),
+                                   [&](const auto e) { return !get(is_feature, e); }));
 }
 
 } // namespace Quad_remeshing
