@@ -3370,8 +3370,16 @@ void test_refusals()
                              report.message.find("of face 1 ") != std::string::npos);
 }
 
+void test_no_quantization()
+{
+  const Mesh mesh = square_and_peaks(1)[0];
+  const QR::Quantization none;
+  CHECK(QR::quantize_again(none, mesh).message.find("quantize() makes one") != std::string::npos);
+}
+
 int main()
 {
+  test_no_quantization();
   std::cout.precision(6);
   test_complexes();
   test_surfaces();

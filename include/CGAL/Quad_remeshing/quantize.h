@@ -57,9 +57,11 @@ double area_in_squares(const TriangleMesh& tmesh, const double length, const Nam
   const auto size_of = [&]([[maybe_unused]] const auto f) {
     double size = 1;
     if constexpr(is_given<NamedParameters, internal_np::vertex_sizing_t>)
-      for(const auto v : CGAL::vertices_around_face(halfedge(f, tmesh), tmesh))
-        size *= std::cbrt(CGAL::to_double(
-          get(CGAL::parameters::get_parameter(np, internal_np::vertex_sizing), v)));
+      for(const auto v : CGAL::vertices_around_face(halfedge(f, tmesh), tmesh)) {
+        const double at_vertex = CGAL::to_double(
+          get(CGAL::parameters::get_parameter(np, internal_np::vertex_sizing), v));
+        size *= at_vertex > 0 ? std::cbrt(at_vertex) : std::numeric_limits<double>::quiet_NaN();
+      }
     return size;
   };
   const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
@@ -144,6 +146,14 @@ Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map
   return result;
 }
 
+template <typename Report>
+Report refused_without_quantization(const Quantization& quantization)
+{
+  return refused<Report>(Outcome::INVALID_ARGUMENT,
+                         "there is no quantization" + (quantization.message.empty()
+                           ? "; quantize() makes one" : ": " + quantization.message));
+}
+
 // \param leave_out_folded_cells whether cells that are folded around a point of one edge are left
 //        out; the two sides of each hole are to become one edge
 template <typename ConcurrencyTag, typename TriangleMesh, typename NamedParameters, typename Output>
@@ -152,8 +162,7 @@ Extraction_report extract_cells_of(const Quantization& quantization, const Trian
                                    Output&& output)
 {
   if(!quantization)
-    return refused<Extraction_report>(Outcome::INVALID_ARGUMENT,
-                                             "there is no quantization: " + quantization.message);
+    return refused_without_quantization<Extraction_report>(quantization);
   const Protect_exact_arithmetic protect;
   const Quantized_surface& surface = quantization.surface();
   if(faces(tmesh).size() != surface.coarse->steps.number_of_faces_inside())
@@ -382,8 +391,7 @@ Quantization quantize_again(const Quantization& quantization, const TriangleMesh
                             const NamedParameters& np = CGAL::parameters::default_values())
 {
   if(!quantization)
-    return internal::refused<Quantization>(
-      Outcome::INVALID_ARGUMENT, "there is no quantization: " + quantization.message);
+    return internal::refused_without_quantization<Quantization>(quantization);
   const internal::Protect_exact_arithmetic protect;
   const auto& parameters = internal::strip(np);
   const internal::Progress progress(parameters);
