@@ -228,12 +228,12 @@ inside, if those have a better shape.
 
 The vertices of quads that are inverted even then leave their features, and the surface where that
 does not help, unless it is a plane, by as little as mends the quads, and by at most half of the
-quad's longest edge; the report counts them, and tells by how much. Where that is not enough, the
-vertices of the quads around move, too, in at most five rounds. There are at most 20,000 such moves
-of a vertex in all. If at most ten quads are inverted even then, all vertices around each of them,
-but those on the border, up to eight quads away, move to the middle of their neighbors, in 40
-rounds, and what is inverted then is mended as before, if fewer are. With `symmetry_plane`, vertices
-stay.
+quad's longest edge at a time; the report counts them, and tells by how much. Where that is not
+enough, the vertices of the quads around move, too, in at most five rounds. There are at most 20,000
+such moves of a vertex in all. If at most ten quads are inverted even then, all vertices around each
+of them, but those on the border, up to eight quads away, move to the middle of their neighbors, in
+40 rounds, and what is inverted then is mended as before, if fewer are. With `symmetry_plane`,
+vertices stay.
 
 \par Attempts
 Where the first quads have flaws, all is made again, and the best quads are taken: those with the
