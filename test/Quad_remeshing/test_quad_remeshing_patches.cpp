@@ -299,7 +299,7 @@ void test_known_shapes()
   CHECK_EQUAL(QR::measure_quad_shapes(mesh).number_of_long_quads, std::size_t(0));
   add_quad(mesh, 10.5, 0);
   add_quad(mesh, 0.09, 1);
-  const Kernel::Point_3 inside(0.25, 0.25, 0), z(0, 0, 1), up(1, 0, 1);
+  const Kernel::Point_3 inside(0.25, 0.25, 0), z(0, 0, 1);
   CGAL::make_quad(o, x, inside, y, mesh); // inverted
   CGAL::make_triangle(o, x, y, mesh);
   CGAL::make_quad(o, x, x, z, mesh); // a side without length
@@ -327,9 +327,9 @@ void test_known_shapes()
     CHECK_EQUAL(QR::measure_quad_shapes(square).mean_scaled_jacobian, -1.);
   }
   // By the caller's points, and of another type of meshes.
-  const auto flat = boost::make_function_property_map<Mesh::Vertex_index>(
+  const auto moved = boost::make_function_property_map<Mesh::Vertex_index>(
     [&](const Mesh::Vertex_index v) { return mesh.point(v) + Kernel::Vector_3(v, v, v); });
-  CHECK(QR::measure_quad_shapes(mesh, parameters::vertex_point_map(flat)).mean_scaled_jacobian !=
+  CHECK(QR::measure_quad_shapes(mesh, parameters::vertex_point_map(moved)).mean_scaled_jacobian !=
         shapes.mean_scaled_jacobian);
   const surfaces::Polyhedron_copy<Kernel> copy(mesh);
   CHECK_EQUAL(QR::measure_quad_shapes(copy.polyhedron).mean_scaled_jacobian,

@@ -39,9 +39,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <vector>
 

@@ -28,7 +28,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
@@ -141,8 +140,8 @@ Extraction_report run_and_write(Cell_extractor<Group>& extractor, const Triangle
 {
   const auto point_map = chosen(np, CGAL::internal_np::vertex_point,
                                 CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-  for(const auto f : faces(tmesh))
-    for(const auto v : CGAL::vertices_around_face(halfedge(f, tmesh), tmesh))
+  for(const auto v : vertices(tmesh))
+    if(halfedge(v, tmesh) != boost::graph_traits<TriangleMesh>::null_halfedge())
       for(const double x : place_of(get(point_map, v)))
         if(!std::isfinite(x))
           return refused<Extraction_report>(

@@ -26,6 +26,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_remeshing {
@@ -103,14 +104,18 @@ inline bool is_inverted(const Quad_in_space& q)
 
 // In a report.
 // \param face its number among those that were written
-template <typename Report>
-void count_inverted_quad(const std::size_t face, Report& report)
+// \param first the first ones, of which ten are listed
+inline void count_quad(const std::size_t face, std::size_t& number, std::vector<std::size_t>& first)
 {
   constexpr std::size_t listed_at_most = 10;
-  ++report.number_of_inverted_quads;
-  if(report.first_inverted_quads.size() < listed_at_most)
-    report.first_inverted_quads.push_back(face);
+  ++number;
+  if(first.size() < listed_at_most)
+    first.push_back(face);
 }
+
+template <typename Report>
+void count_inverted_quad(const std::size_t face, Report& report)
+{ count_quad(face, report.number_of_inverted_quads, report.first_inverted_quads); }
 
 } // namespace internal
 } // namespace Quad_remeshing

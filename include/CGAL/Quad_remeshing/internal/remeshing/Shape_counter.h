@@ -95,18 +95,14 @@ public:
   // \param face its number
   void add(const std::size_t face, const Quad_in_space& quad)
   {
-    constexpr std::size_t listed_at_most = 10;
     constexpr double most_of_short_quads = 10; // sides over others
     const Quad_in_space q = scaled_to_size(quad);
     const double jacobian = scaled_jacobian(q), aspect = aspect_ratio(q);
     m_shapes.least_scaled_jacobian = (std::min)(m_shapes.least_scaled_jacobian, jacobian);
     m_shapes.largest_aspect_ratio = (std::max)(m_shapes.largest_aspect_ratio, aspect);
     m_shapes.number_of_long_quads += aspect > most_of_short_quads ? 1 : 0;
-    if(is_thin(jacobian)) {
-      ++m_shapes.number_of_thin_quads;
-      if(m_shapes.first_thin_quads.size() < listed_at_most)
-        m_shapes.first_thin_quads.push_back(face);
-    }
+    if(is_thin(jacobian))
+      count_quad(face, m_shapes.number_of_thin_quads, m_shapes.first_thin_quads);
     m_sum += jacobian;
     ++m_number;
   }
