@@ -136,17 +136,16 @@ Linear_report snap_to_linear_constraints(const Linear_constraints<Coefficient>& 
 /*!
 \ingroup PkgLinearSnappingRef
 
-moves the values `x` to nearby ones that satisfy \f$ C x = b \f$ exactly.
+moves the values `x` to nearby values that satisfy \f$ C x = b \f$ exactly.
 
-On success, `C x = b` holds in exact arithmetic, not just in floating point, although the new values
-are of the same number type as the old ones: they are chosen from a grid \f$ 2^e \mathbb{Z} \f$ that
-the number type can represent. They approximate the weighted least-squares optimum, that is the real
-solution \f$ x^* \f$ that minimizes \f$ \sum_j w_j (x^*_j - \bar x_j)^2 \f$. If the values satisfy
-the constraints already, or if there is no solution, they are not touched. Values that occur in no
-constraint are never touched. The result is verified exactly before it is written.
+On success, \f$ C x = b \f$ holds in exact arithmetic on the new values, which have the number type of
+the old ones. The function verifies this before it writes the values. They lie on a grid
+\f$ 2^e \mathbb{Z} \f$ that the number type can represent, and approximate the weighted least-squares
+optimum: the real solution \f$ x^* \f$ that minimizes \f$ \sum_j w_j (x^*_j - \bar x_j)^2 \f$.
 
-Redundant constraints are welcome. The function handles coefficients of any size: where 64-bit
-integers do not suffice, it changes to multiprecision integers by itself.
+The function does not change values that occur in no constraint, or that satisfy all constraints
+already. On failure it changes nothing. Constraints may be redundant. Coefficients may have any size:
+if 64-bit integers do not suffice, the function uses multiprecision integers.
 
 The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}, with sparse elimination, unit
 pivots first, and a least-squares target.
@@ -162,17 +161,17 @@ pivots first, and a least-squares target.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param c the matrix \f$ C \f$, with one row per constraint and one column per unknown
-\param b the right-hand side, one number per constraint; if it is omitted, that of a
-       `Linear_constraints`, and zero for a matrix
+\param b the right-hand side, one number per constraint. By default, it is the right-hand side of
+       the `Linear_constraints`, and zero for a matrix.
 \param x the values, one per unknown; changed in place
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
         below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{value_weights}
-    \cgalParamDescription{the weights \f$ w_j \f$: large ones hold values still}
+    \cgalParamDescription{the weights \f$ w_j \f$: a large weight holds its value still}
     \cgalParamType{a random access range of positive numbers of type `double`, one per unknown;
-                   ratios beyond \f$ 2^{400} \f$ count as that}
+                   ratios above \f$ 2^{400} \f$ count as \f$ 2^{400} \f$}
     \cgalParamDefault{all 1}
     \cgalParamExtra{Weights do not affect exactness.}
   \cgalParamNEnd
@@ -182,11 +181,11 @@ pivots first, and a least-squares target.
     \cgalParamDefault{`false`; not read with a `visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is called with a line of text after each step, and about each second of
-                          long ones, in the calling thread. What it throws ends the work, and passes
-                          on to the caller; `x` is untouched then.}
-    \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
-    \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
+    \cgalParamDescription{receives the progress as lines of text, in the calling thread. An exception
+                          that it throws ends the function and passes on to the caller; `x` is
+                          untouched then.}
+    \cgalParamType{a model of `ProgressVisitor`, or `std::ref()` of one}
+    \cgalParamDefault{with `verbose`, a visitor that writes to `std::cerr`; else none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -198,44 +197,41 @@ pivots first, and a least-squares target.
         - `INCONSISTENT`: there is no solution; `Linear_report::certificate` holds the constraints
           that contradict each other;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
-        - `NOT_REPRESENTABLE`: there are solutions in the rational numbers, but none was found near
-          the values in numbers of their type; or one that means nothing, as where all becomes 0:
-          a part of the system would move by more than a tenth of the size of its values (both
-          root mean squares), and 1,000 times as far as `Linear_report::distance_ratio` has as 1;
+        - `NOT_REPRESENTABLE`: there are rational solutions, but the function found no solution in the
+          number type near the values. It also refuses a solution that keeps nothing of the values,
+          such as all zeros: a part of the system would move by more than a tenth of the size of its
+          values (both root mean squares), and its `Linear_report::distance_ratio` would exceed
+          1,000;
         - `TOO_LARGE`: constraints without a coefficient 1 or -1 link too many unknowns, see below.
 
 \par Search
-Solutions are looked for on one grid for all unknowns that depend on each other. Where none is found
-there, or it is farther than ten times the optimum, and the unknowns are at most 200, they are
-looked for with a grid for each unknown: for \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ near
-\f$ (1, -1, 0) \f$ that gives \f$ (1, -1, 2^{-60}) \f$. The grids are those of the sizes of the
-optimum, then those of a solution for which all values change by about the same factor. Up to twelve
-times for each, a grid becomes finer where a right-hand side wants that, or coarser where a value is
-too large. So a solution near by can be missed, but rarely is (see \ref LSnappingGuarantees). If
-what is found is farther than ten times what can be expected, `Linear_report::distance_ratio` and
-`Linear_report::message` say so.
+The function first looks for a solution on one grid for all unknowns that depend on each other. If it
+finds none, or one that is farther than ten times the optimum, it looks for a solution with a grid for
+each unknown, for up to 200 unknowns. For \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ near
+\f$ (1, -1, 0) \f$, for example, this search finds \f$ (1, -1, 2^{-60}) \f$. It can miss a solution,
+but rarely does (see \ref LSnappingGuarantees). If the result is farther than ten times the distance to
+be expected, `Linear_report::distance_ratio` and `Linear_report::message` say this.
 
 \par Complexity
-Nearly linear in the number of nonzero coefficients for sparse systems such as those of seamless
-parametrizations, where each constraint has a coefficient 1 or -1 left when its turn comes. Parts
-that share no unknown are solved one by one; those that are equal, with their weights, are
-eliminated and factorized once. A constraint on \f$ k \f$ unknowns costs up to \f$ k \f$ steps for
-each short one that links two of them: \f$ \sum_j x_j = 0 \f$ with all \f$ x_i = x_{i+1} \f$ takes a
-fraction of a second for 10,000 unknowns, some ten seconds for 100,000. Constraints on more than 200
-unknowns that are triangular, up to their order, take linear time where small multiples do: where
-\f$ 8 f = a + 6 b + c \f$ for each vertex \f$ f \f$ of a refinement, multiples of 8. All others
-without a coefficient 1 or -1 take a dense integer lattice: memory quadratic, and time cubic in the
-number of unknowns that they link, but for the last reduction of the lattice, which is cut off after
-some seconds. Where the lattice takes more than \f$ 3 \cdot 10^{10} \f$ multiplications, half a
-minute to a minute, or some where coefficients outgrow 64 bits, the status is `TOO_LARGE`: 500
-unknowns in 250 constraints of six terms are solved, 700 in 350 are not. So do constraints on up to
-2,000 unknowns whose implied values would lead far away from the optimum, if this lattice takes no
-longer than some seconds: where each of 1,600 unknowns in a square is the mean of its four
-neighbors, implied values grow along the square, and are far: all would become 0, and the status is
-`NOT_REPRESENTABLE`. A single constraint with coefficients of 40 bits takes half a second for 100
-unknowns, some ten seconds for 300 or 1,000; what is cut off is the closeness, not the exactness.
-The search with a grid for each unknown takes fractions of a millisecond for a few unknowns, some
-seconds at most for 200 with coefficients of 40 bits.
+Nearly linear in the number of nonzero coefficients if each constraint has a coefficient 1 or -1 left
+when its turn comes, as in the systems of seamless parametrizations. The function solves parts that
+share no unknown separately, and factorizes equal parts with equal weights once. Triangular systems of
+more than 200 unknowns, such as \f$ 8 f = a + 6 b + c \f$ for each vertex \f$ f \f$ of a refinement,
+take linear time too.
+All other constraints without a coefficient 1 or -1 take a dense integer lattice: quadratic memory and
+cubic time in the number of unknowns that they link. The work is bounded: beyond about a minute the
+status is `TOO_LARGE`.
+
+| system | outcome |
+|---|---|
+| \f$ \sum_j x_j = 0 \f$ and all \f$ x_i = x_{i+1} \f$, 10,000 unknowns | a fraction of a second |
+| the same system, 100,000 unknowns | some ten seconds |
+| 250 constraints of six terms without a coefficient 1 or -1, 500 unknowns | solved |
+| 350 such constraints, 700 unknowns | `TOO_LARGE` |
+| one constraint with coefficients of 40 bits, 100 unknowns | half a second |
+| one such constraint, 300 or 1,000 unknowns | some ten seconds |
+| each of 1,600 unknowns in a square is the mean of its four neighbors | `NOT_REPRESENTABLE`: all would become 0 |
+| a grid for each unknown, up to 200 unknowns with coefficients of 40 bits | at most some seconds |
 */
 template <typename Constraints, typename RightHandSide, typename Values,
           typename NamedParameters = CGAL::parameters::Default_named_parameters
@@ -254,8 +250,8 @@ Linear_report snap_to_linear_constraints(const Constraints& c, const RightHandSi
 /*!
 \ingroup PkgLinearSnappingRef
 
-the same with the right-hand side of `c` if that is a `Linear_constraints`, and with \f$ b = 0 \f$
-if it is a matrix.
+moves the values `x` to nearby values that satisfy \f$ C x = b \f$ exactly, with the right-hand side
+of a `Linear_constraints`, or with \f$ b = 0 \f$ for a matrix.
 */
 template <typename Constraints, typename Values,
           typename NamedParameters = CGAL::parameters::Default_named_parameters

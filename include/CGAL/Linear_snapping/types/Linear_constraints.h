@@ -69,10 +69,10 @@ public:
          `double`
 
   \pre all indices are below `number_of_unknowns()`
-  \throws std::invalid_argument if `right_hand_side` is a floating point number, but NaN or infinite
+  \throws std::invalid_argument if `right_hand_side` is NaN or infinite
 
-  If an exception is thrown, also by memory allocation, the constraints are as before. Coefficients
-  that are NaN or infinite are refused by `snap_to_linear_constraints()`.
+  If an exception is thrown, also by memory allocation, the constraints are as before. A coefficient
+  may be NaN or infinite; `snap_to_linear_constraints()` then refuses the system.
   */
   std::size_t add_constraint(const std::vector<Term>& terms,
                              const CGAL::Exact_rational& right_hand_side = CGAL::Exact_rational(0))
@@ -80,14 +80,14 @@ public:
     return add_constraint(terms.begin(), terms.end(), right_hand_side);
   }
 
-  /// the same for a list in braces.
+  /// adds the constraint whose terms are a list in braces.
   std::size_t add_constraint(const std::initializer_list<Term>& terms,
                              const CGAL::Exact_rational& right_hand_side = CGAL::Exact_rational(0))
   {
     return add_constraint(terms.begin(), terms.end(), right_hand_side);
   }
 
-#ifndef DOXYGEN_RUNNING // those above, with a right-hand side that need not be a number
+#ifndef DOXYGEN_RUNNING // the overloads above, with a right-hand side of any exact type
   template <typename Real, std::enable_if_t<std::is_floating_point<Real>::value>* = nullptr>
   std::size_t add_constraint(const std::vector<Term>& terms, const Real right_hand_side)
   {

@@ -33,8 +33,8 @@ namespace Linear_snapping {
 /*!
 \ingroup PkgLinearSnappingRef
 
-Figures of the linear system that a snapping function solved, and of its elimination. They are
-summed over its independent components, or are the largest of any.
+The size of the linear system that a snapping function solved, and figures of its elimination. They
+are sums over the independent components of the system, or the maximum of all components.
 */
 struct Linear_solver_figures
 {
@@ -44,7 +44,7 @@ struct Linear_solver_figures
   /// independent rows whose pivot is not \f$ \pm 1 \f$
   std::size_t number_of_non_unit_pivots = 0;
   std::size_t number_of_coefficients = 0;            ///< nonzero coefficients of the rows
-  std::size_t number_of_eliminated_coefficients = 0; ///< the same after the elimination
+  std::size_t number_of_eliminated_coefficients = 0; ///< nonzero coefficients after the elimination
   /// eliminations of the matrix; one, however often it is solved for other values
   std::size_t number_of_eliminations = 0;
   std::size_t coefficient_bits = 0; ///< bits of the largest coefficient met during the elimination
@@ -56,8 +56,8 @@ struct Linear_solver_figures
 /*!
 \ingroup PkgLinearSnappingRef
 
-What `snap_to_linear_constraints()` returns: the outcome, the place and remedy of a failure, and how
-far the values moved. Converts to `bool`: `true` if and only if all constraints hold exactly in the
+The report of `snap_to_linear_constraints()`: the outcome, the place and remedy of a failure, and how
+far the values moved. It converts to `true` if and only if all constraints hold exactly in the
 caller's values.
 
 Lengths are in the units of the values; divide by `extent` for relative ones. Figures of a step that
@@ -73,14 +73,14 @@ struct Linear_report
   /*!
   After `INCONSISTENT`: the constraints that contradict each other, as pairs of a row and a nonzero
   multiplier. The sum of these multiples of the rows reads \f$ 0 = c \f$ with \f$ c \ne 0
-  \f$. For surfaces and volumes, rows are those of an internal system; `message` names what they
-  stand for.
+  \f$. For surfaces and volumes, the rows belong to an internal system; `message` names the
+  constraints of the caller.
   */
   std::vector<std::pair<std::size_t, CGAL::Exact_integer> > certificate;
 
   /// \name Distances
-  /// Means are over the values of those parts of the system that had to be changed: parts that
-  /// share no unknown with others and hold exactly in the input are left out.
+  /// Means are over the values of the parts of the system that had to be changed. A part shares no
+  /// unknown with other parts.
   /// @{
 
   /// the largest absolute value in a constraint; for a surface or volume, the largest side of the
@@ -94,18 +94,18 @@ struct Linear_report
   /// surface with `integer_grid` or `grid_scale`)
   double mean_change = 0;
   double rms_change = 0;        ///< the root-mean-square change, over the same values
-  /// the same for the real-valued least-squares optimum that was approximated; 0 for volumes, and
-  /// with `integer_grid` or `grid_scale`
+  /// the root-mean-square change of the real-valued least-squares optimum that was approximated; 0
+  /// for volumes, and with `integer_grid` or `grid_scale`
   double optimal_rms_change = 0;
   /*!
-  for `snap_to_linear_constraints()`: the distance of the result from the input, in terms of that of
-  the optimum or of the spacing of numbers of the values' size, whichever is larger; the largest of
-  any part of the system. Some units are usual. If it exceeds 10, then so few numbers solve the
-  part, or they are so hard to find, that the result is far; `message` says so.
+  for `snap_to_linear_constraints()`: the distance of the result from the input, divided by the
+  distance of the optimum or the spacing of numbers of the values' size, whichever is larger; the
+  maximum over the parts of the system. Values up to 10 are usual. If it exceeds 10, `message` says
+  that the result is far, because few numbers solve the part or because they are hard to find.
   */
   double distance_ratio = 0;
-  /// the spacing of the grid the constrained values were moved to; the coarsest, if there are
-  /// several; 0 if no value is constrained, as where corners of a surface are merged only
+  /// the spacing of the grid of the constrained values; the coarsest spacing, if there are several
+  /// grids; 0 if no value is constrained, for example if corners of a surface are only merged
   double grid_step = 0;
   /// @}
 

@@ -27,17 +27,17 @@ namespace Linear_snapping {
 /*!
 \ingroup PkgLinearSnappingRef
 
-How a function ends: the same condition has the same name, whichever function meets it. After the
-first four, what was asked for has been written; after any other one the caller's data is untouched
-to the bit, unless it is in a property map that does not keep what is written to it.
+The outcome of a function. All functions use the same name for the same condition. The first four
+outcomes are successes: the result has been written. After any other outcome the caller's data is
+untouched, bit for bit.
 */
 enum class Outcome
 {
-  SUCCESS,            ///< the result was written, and all checks held; where nothing was snapped
+  SUCCESS,            ///< the result was written, by a function that snaps nothing
   ALREADY_EXACT,      ///< all constraints held exactly before; nothing was written
   SNAPPED,            ///< values were moved, and now all constraints hold exactly
-  /// all constraints hold exactly, but of the faces that `repair_flips` asked for, some are still
-  /// not positive, or no longer. `Snapping_report::largest_change` is 0 if nothing was written
+  /// all constraints hold exactly, but some faces that `repair_flips` asked for are not positive.
+  /// `Snapping_report::largest_change` is 0 if nothing was written
   FLIPS_REMAIN,
 
   INVALID_ARGUMENT,   ///< no face, sizes that do not match, a parameter out of its range
@@ -118,14 +118,14 @@ inline std::ostream& operator<<(std::ostream& os, const Outcome outcome)
 /*!
 \ingroup PkgLinearSnappingRef
 
-What all reports have: the outcome and, in words, why and where. Converts to `bool`: `true` if and
-only if what was asked for has been written, or need not be.
+The part that all reports have: the outcome, and a message with the reason and the place. It converts
+to `true` if and only if the result has been written, or was there already.
 */
 struct Report
 {
   Outcome status = Outcome::SUCCESS; ///< the outcome
-  /// on failure: the place, the reason, and the remedy; after success perhaps a note, such as that
-  /// border edges coincide, or that faces are not positive
+  /// on failure: the place, the reason, and the remedy. After success, it can hold a note, for
+  /// example that border edges coincide or that faces are not positive
   std::string message;
 
   /// \cond SKIP_IN_MANUAL
@@ -134,7 +134,7 @@ struct Report
   { }
   /// \endcond
 
-  /// returns `true` if and only if the outcome is a success, be it that flips remain.
+  /// returns `true` if and only if the outcome is one of the first four.
   explicit operator bool() const { return status <= Outcome::FLIPS_REMAIN; }
 };
 

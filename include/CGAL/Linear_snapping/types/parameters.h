@@ -210,11 +210,11 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
 /*!
  * \ingroup PkgLinearSnappingParameters
  *
- * \brief The functions that start a sequence of named parameters.
+ * \brief Functions that start a sequence of named parameters.
  *
- * The functions of all packages take their optional arguments as \ref bgl_namedparameters
- * "Named Parameters". Besides the names of \cgal, they know a few of their own. A sequence that
- * uses one of these starts here, and goes on with any of the names below, in any order:
+ * All functions take their optional arguments as \ref bgl_namedparameters "Named Parameters". Some
+ * names are \cgal's, others belong to these packages. A sequence that uses a name of these packages
+ * starts here, and continues with any of the names below, in any order:
  *
  * \code{.cpp}
  * namespace parameters = CGAL::Linear_snapping::parameters;
@@ -224,9 +224,9 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *                                                      .verbose(true));
  * \endcode
  *
- * Each package above has these functions, too, such as `CGAL::Quad_remeshing::parameters`.
- * A sequence that starts in `CGAL::parameters` is accepted as well; it can hold \cgal's names only.
- * If a name occurs twice, the last one counts.
+ * All packages have these functions, for example `CGAL::Quad_remeshing::parameters`. A sequence can
+ * also start in `CGAL::parameters`; it then contains \cgal's names only. If a name occurs twice, the
+ * last one counts.
  *
  * Names of the packages:
  * - `align_border`: whether border edges are to lie on isocurves (`bool`)
@@ -235,40 +235,39 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `allow_holes`: whether cells around faces that are not positive are left out (`bool`)
  * - `border_tolerance`: how far the border of quads may leave that of the surface to have fewer
  *   corners (`double`)
- * - `cell_neighbors`: the neighbors of the cells of a volume, where they are known
- * - `cone_index_map`: the index of each vertex in quarter turns, where the cones are given
+ * - `cell_neighbors`: the known neighbors of the cells of a volume
+ * - `cone_index_map`: the index of each vertex in quarter turns, for given cones
  * - `connection_constraints`, `cycle_constraints`, `corner_constraints`: further constraints on a
  *   parametrization
  * - `connection_tolerance`: the largest distance by which connections and cycles may miss before
  *   snapping, relative to the extent of the coordinates (`double`)
- * - `curvature_adaptivity`: how many times larger quads may be where a surface is flat (`double`)
+ * - `curvature_adaptivity`: how many times larger quads may be on flat parts (`double`)
  * - `curvature_alignment`: how strongly a field follows the principal directions (`double`)
- * - `curve_stop_policy`: where curves of a layout end that meet others
+ * - `curve_stop_policy`: which curves of a layout end at a crossing
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
- * - `edge_is_cut_map`: which edges are cuts, where this is known
+ * - `edge_is_cut_map`: the known cut edges
  * - `face_direction_map`: the direction that the field of crosses is to have in each face
  * - `face_location_map`: where the middle of each face of a quad mesh lies on the input
  * - `feature_facets`, `feature_edges`: facets and edges of a volume, or edges of a soup, that are
  *   to be aligned
- * - `grid_scale`: what the coordinates are multiplied by before anything else (`double`)
+ * - `grid_scale`: the factor of all coordinates, applied first (`double`)
  * - `halfedge_rotation_map`: the number of turns of the transition across each halfedge, by a
- *   quarter or, with `rotational_symmetry`, by 360 / N degrees, where it is known
- * - `halfedge_uv_map`: the coordinates of each corner, where a map is not to be made
+ *   quarter or, with `rotational_symmetry`, by 360 / N degrees, if you know it
+ * - `halfedge_uv_map`: the coordinates of each corner, if you have a parametrization
  * - `integer_grid`: whether translations, cones, and aligned edges or facets become integers
  *   (`bool`)
  * - `largest_cone_index`: the largest index that a cone may have, in quarter turns (`int`)
  * - `least_cone_distance`: the distance up to which opposite cones of a field cancel (`double`)
- * - `maximum_feature_loss`: which part of the length of features may be released where they force
+ * - `maximum_feature_loss`: which part of the length of features may be released if they force
  *   quads (`double`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
  * - `minimize_number_of_quads`: whether a quantization has as few quads as are found (`bool`)
- * - `near_distance`: where isocurves are traced in floating point, the distance below which a curve
- *   is taken to have missed what it passes by, relative to the extent of the coordinates (`double`)
+ * - `near_distance`: for isocurves in floating point, the distance at which a curve counts as having
+ *   missed a vertex, relative to the extent of the coordinates (`double`)
  * - `needs_face_graph`: whether the quads of a quantization have to form a face graph (`bool`)
  * - `number_of_untangling_iterations`: about the largest number of iterations over all faces that
  *   are spent on flipped triangles, of a parametrization under way or in the input (`unsigned int`)
- * - `release_alignment`: whether features need not be aligned where triangles would be flipped
- *   otherwise (`bool`)
+ * - `release_alignment`: whether a feature need not be aligned if it would flip triangles (`bool`)
  * - `repair_flips`: whether faces or cells that are flipped or degenerate in the input are
  *   repaired (`bool` or `Flip_repair`)
  * - `rotational_symmetry`: by which angles charts are turned across cuts (`Rotational_symmetry`)
@@ -290,8 +289,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * `verbose`, `vertex_index_map`, `vertex_is_constrained_map`, `vertex_point_map`, `visitor`.
  * `maximum_number` is the number of things made or visited above which a function gives up.
  *
- * Which of them a function reads is listed with the function; it ignores the others, unless the
- * list says that one is an error of compilation without another.
+ * The reference of each function lists the names that it reads. It ignores the others. For a few
+ * names, the list says that they do not compile without another name.
  *
  * \note With both `using namespace CGAL` and `using namespace CGAL::Seamless_snapping`, the name
  *       `parameters` alone is ambiguous: write an alias as above.
