@@ -50,7 +50,7 @@ inline double difference(const Grid_value& a, const Grid_value& b)
 struct Number_format
 {
   int digits;           // p: all integers up to 2^p are exact
-  int minimum_exponent; // of the smallest positive number
+  int minimum_exponent; // the smallest positive number is 2^minimum_exponent
   int maximum_exponent; // all numbers are below 2^maximum_exponent
 
   template <typename F>

@@ -32,7 +32,7 @@ namespace Linear_snapping {
 namespace internal {
 
 using Uv = std::array<double, 2>;
-using Uvw = std::array<double, 3>; // of volumes
+using Uvw = std::array<double, 3>; // a point in the domain of a volume
 
 // The vector times a power of two, with a largest coordinate of 1 to 2, unless it is 0: products of
 // such neither underflow nor overflow.
@@ -48,7 +48,7 @@ std::array<double, size> scaled_to_unit_size(std::array<double, size> v)
   return v;
 }
 
-// Of points and vectors with three coordinates, as in space.
+// The vector between two points with three coordinates, as in space.
 template <typename Number>
 std::array<Number, 3> vector_to(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
 { return {b[0] - a[0], b[1] - a[1], b[2] - a[2]}; }
@@ -62,8 +62,8 @@ std::array<Number, 3> vector_product(const std::array<Number, 3>& a,
                                      const std::array<Number, 3>& b)
 { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
 
-// Of integer-grid maps. Below, the error of a coordinate computed on an edge stays under 1/4, and
-// sums of coordinates and translations stay exact integers.
+// The bound for integer-grid maps. Below it, the error of a coordinate computed on an edge stays under
+// 1/4, and sums of coordinates and translations stay exact integers.
 constexpr double largest_grid_coordinate = 70368744177664.; // 2^46
 
 using Uv_triangle = std::array<Uv, 3>;

@@ -72,7 +72,7 @@ std::from_chars_result read_decimal_by_stream(const std::string_view text, Numbe
   std::istringstream is{std::string(text.substr(0, end))};
   is.imbue(std::locale::classic());
   Number read = 0;
-  const bool failed = !(is >> read); // of numbers below the smallest normal one, in some libraries
+  const bool failed = !(is >> read); // some libraries fail on numbers below the smallest normal one
   const Number largest = (std::numeric_limits<Number>::max)();
   if(failed && (read >= largest || read <= -largest))
     return {text.data() + end, std::errc::result_out_of_range};

@@ -175,7 +175,7 @@ private:
   static constexpr std::size_t most_rows_to_reduce = 300;
   static constexpr double most_work = 3e10; // multiplications: about a minute
   static constexpr double most_work_of_whole_system = 1e10;
-  static constexpr int most_bits_at_once = 40; // of a finer grid: what is left of errors fits there
+  static constexpr int most_bits_at_once = 40; // of a finer grid, for the errors
 
   static void finish(Step_timer* const timer, const char* step)
   {
@@ -241,7 +241,7 @@ private:
     return *m_projection;
   }
 
-  // Those of the auxiliary unknowns are 1.
+  // The weights of all unknowns; auxiliary unknowns have 1.
   std::vector<double> all_weights() const
   {
     std::vector<double> weights(m_weights);
@@ -284,7 +284,7 @@ private:
     return found;
   }
 
-  // The same on the finest grid that the number type has for what comes out.
+  // Evaluates on the finest grid that the number type has for the result.
   bool evaluate_on_grids(const Core_solver* const core, const int coarsest,
                          Component_solution& solution) const
   {
@@ -319,7 +319,7 @@ private:
     return distance > 4 * (change + 1 + static_cast<double>(solution.x.size() / 16));
   }
 
-  // Of a solution from the optimum, weighted.
+  // The weighted distance of a solution from the optimum.
   double distance(const Component_solution& solution) const
   {
     double squares = 0;
@@ -338,7 +338,7 @@ private:
     const bool may_be_finer =
       m_may_be_finer && projection().number_of_rows() < m_system.number_of_columns();
     // Where values shrink by much, each round makes up for the rounding errors of the last one.
-    double size = std::numeric_limits<double>::infinity(); // of the optimum, in steps of the grid
+    double size = std::numeric_limits<double>::infinity(); // the optimum, in steps of the grid
     for(bool again = true; again;) {
       projection().project(m_reduced_rows == nullptr ? m_system : *m_reduced_rows,
                            right_hand_shift(solution.grid), solution.optimum);
@@ -360,7 +360,7 @@ private:
     return m_is_homogeneous;
   }
 
-  // That of the finest grid that holds numbers of a size, if it is worth another projection.
+  // The exponent of the finest grid for numbers of a size, if it is worth another projection.
   int finer_exponent(const Grid& grid, const double size, const int exponent) const
   {
     constexpr int worthwhile = 4; // bits
@@ -383,7 +383,7 @@ private:
   void pull_into_range(Component_solution& solution) const
   {
     const int exponent = m_format.maximum_exponent - solution.grid.exponent();
-    if(exponent >= std::numeric_limits<double>::max_exponent) // of steps, there are no such numbers
+    if(exponent >= std::numeric_limits<double>::max_exponent) // no numbers are that large
       return;
     const double limit = std::ldexp(1., exponent);
     const double largest = largest_value(solution);

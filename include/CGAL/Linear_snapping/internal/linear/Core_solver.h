@@ -163,7 +163,7 @@ private:
 
   bool m_is_whole;
   // filled while the lattice is made from them
-  std::vector<Row_index> m_rows; // of the system
+  std::vector<Row_index> m_rows; // rows of the system in the core
   std::vector<Column_index> m_columns;
   std::vector<Exact_integer> m_right_hand_side;
   Exact_integer m_largest_coefficient = Exact_integer(0);

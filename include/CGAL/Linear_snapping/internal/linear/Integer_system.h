@@ -261,7 +261,7 @@ struct Echelon_form
   std::vector<std::int64_t> multiples; // per column, for pivots that are not 1; empty: any integers
   int right_hand_halvings = 0; // by which grids must be finer for the right-hand sides
 
-  std::size_t number_of_coefficients = 0, number_of_non_unit_pivots = 0; // of pivot rows
+  std::size_t number_of_coefficients = 0, number_of_non_unit_pivots = 0; // in pivot rows
   std::int64_t largest_pivot = 1;
   Exact_integer largest_coefficient = Exact_integer(0); // met on the way
   bool is_multiprecision = false;
@@ -283,8 +283,8 @@ inline BOOST_NOINLINE bool holds_in_rationals(const Integer_system& system, cons
   return sum == Exact_rational(exact.right_hand_side);
 }
 
-// The same in 64-bit integers, on the coarsest grid that holds all values of the row. Returns false
-// if it can't tell.
+// Whether a row holds, in 64-bit integers on the coarsest grid that holds all values of the row.
+// Returns false if it can't tell.
 inline bool holds_in_small_integers(const Integer_system& system, const std::size_t row,
                                     const std::vector<double>& x, bool& holds)
 {

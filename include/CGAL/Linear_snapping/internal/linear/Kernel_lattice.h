@@ -310,7 +310,7 @@ private:
 
   double m_work_left;
   std::vector<Entries<Integer> > m_rows;
-  std::vector<Vector> m_vectors; // those that became echelon vectors are empty
+  std::vector<Vector> m_vectors; // empty if it became an echelon vector
   std::vector<std::vector<std::size_t> > m_users; // a superset of the vectors with each column
   std::vector<double> m_lengths;                  // squared norms
   std::vector<std::size_t> m_marks;

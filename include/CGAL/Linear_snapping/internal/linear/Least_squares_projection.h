@@ -168,7 +168,7 @@ public:
   void project(const Integer_system& system, const int right_hand_shift,
                std::vector<Grid_value>& values) const
   {
-    // of the first violations; where rows are nearly dependent, small ones count as well
+    // relative to the first violations; if rows are nearly dependent, small ones count as well
     const double negligible = m_is_ill_conditioned ? 0 : 0x1p-40;
     double first_size = -1, last_size = std::numeric_limits<double>::infinity();
     for(Vector step;;) {
@@ -230,7 +230,7 @@ private:
         e.coefficient *= m_scales[e.column];
         largest = (std::max)(largest, std::abs(e.coefficient));
       }
-      double squares = 0; // of c / largest: c^2 may overflow
+      double squares = 0; // the sum for c / largest, because c^2 may overflow
       for(const Entry<double>& e : row)
         squares += (e.coefficient / largest) * (e.coefficient / largest);
       const double scale = 1. / (largest * std::sqrt(squares));
@@ -315,7 +315,7 @@ private:
     return m_rows * Vector(solution.tail(r.size()));
   }
 
-  // The same, refined.
+  // The shortest solution, refined.
   Vector shortest_solution(const Vector& r) const
   {
     constexpr int rounds_of_augmented = 10;

@@ -33,7 +33,7 @@ namespace internal {
 struct Component_input
 {
   Integer_system system;
-  std::vector<double> weights; // of the least-squares target, one per column, positive
+  std::vector<double> weights; // in the least-squares target, one per column, positive
   std::size_t number_of_representable_columns; // so many of the first are numbers of the format
 
   friend bool operator<(const Component_input& a, const Component_input& b)

@@ -38,7 +38,7 @@ namespace internal {
 class Component_solver;
 class Step_timer;
 
-using Component_index = std::int32_t; // of a linear system; -1 for columns in no row
+using Component_index = std::int32_t; // a component of a linear system; -1 for columns in no row
 
 // Invariant: each component of the rows is eliminated, once. Those that are equal, as components of
 // meshes often are, share a solver.
@@ -79,13 +79,12 @@ public:
   Component_index solve(const Linear_target& target, Linear_solution& solution,
                         Step_timer* timer = nullptr) const;
 
-  // The same for one component. Returns false if it has no representable solution.
+  // Solves one component. Returns false if it has no representable solution.
   // \pre the sizes of the vectors of `solution` are right
   bool solve_component(Component_index c, const Linear_target& target, Linear_solution& solution,
                        Step_timer* timer = nullptr) const;
 
-  // The same, on a grid of its own for each column, where the component has no solution on one
-  // grid.
+  // Solves one component on a grid of its own for each column, if it has no solution on one grid.
   std::optional<std::vector<Column_solution> >
   solve_component_on_many_grids(Component_index c, const Linear_target& target) const;
 
@@ -102,7 +101,7 @@ private:
 
   std::vector<Component_index> m_component_of_column;
   std::vector<Column_index> m_local_column; // within its component
-  std::map<std::size_t, Exact_rational> m_scales; // of rows, where not 1
+  std::map<std::size_t, Exact_rational> m_scales; // the scale of each row with a scale other than 1
   std::vector<std::vector<Column_index> > m_columns; // per component
   std::vector<std::vector<std::size_t> > m_rows;     // per component
   std::map<Component_input, std::unique_ptr<Component_solver> > m_distinct_solvers;

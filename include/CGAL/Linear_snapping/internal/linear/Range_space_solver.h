@@ -125,7 +125,7 @@ private:
     m_solution = m_free_minimum + m_solver.solve(forces);
   }
 
-  // Of how the asked ones respond to each other.
+  // Adds a row to the factor of the matrix of responses to each other.
   void add_to_factor(const std::size_t equation, const Eigen::VectorXd& response)
   {
     const auto k = Eigen::Index(m_asked.size());

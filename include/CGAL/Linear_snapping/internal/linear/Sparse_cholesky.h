@@ -55,8 +55,8 @@ template <typename Matrix>
 class Simplicial_cholesky : public Eigen::SimplicialLDLT<Matrix>
 {
 public:
-  // Of blocks, in the time that a factorization takes of the pattern that was analyzed last: those
-  // of single numbers take three times as long.
+  // The multiplications of blocks that a factorization of the pattern analyzed last takes. A
+  // multiplication of single numbers takes three times as long.
   double number_of_multiplications()
   { return 3 * this->m_nonZerosPerCol.template cast<double>().squaredNorm(); }
 

@@ -236,7 +236,7 @@ private:
   Integer_system m_rows;
   Entries<std::int64_t> m_row; // scratch
   std::vector<Waiting_row> m_waiting_rows; // by index
-  std::map<std::size_t, Exact_rational> m_scales; // of these
+  std::map<std::size_t, Exact_rational> m_scales; // the scale of each row with a scale other than 1
 };
 
 } // namespace internal

@@ -224,7 +224,7 @@ private:
     return largest_elsewhere(i, pivot.column) > Integer(4) / largest;
   }
 
-  // Of the coefficients of a column in other rows that still wait.
+  // The largest coefficient of a column in the other rows that still wait.
   Integer largest_elsewhere(const Row_index i, const Column_index column) const
   {
     Integer largest(0);
@@ -379,8 +379,8 @@ private:
     }
   }
 
-  // The same with all columns of rows of the core, if these are few: else a large system's core
-  // would go to the integer solver for all that it lacks.
+  // Makes unit pivots from all columns of rows of the core, if these are few. Else the whole core
+  // of a large system would go to the integer solver.
   void make_units_in_core()
   {
     constexpr std::size_t small_system = 2000, small_core = 64; // columns, rows
@@ -399,7 +399,7 @@ private:
       }
   }
 
-  static constexpr std::size_t most_to_choose_from = 64; // of columns, the smallest coefficients
+  static constexpr std::size_t most_to_choose_from = 64; // smallest coefficients
 
   // Returns whether something was combined.
   bool combine_columns(const Row_index i, const std::vector<Row_index>& core)
@@ -495,8 +495,8 @@ private:
     m_states.push_back(DONE);
   }
 
-  // Of `m_singles`, the two that leave the smallest greatest common divisor, less than both
-  // coefficients; if there is a way to 1.
+  // Finds the two of `m_singles` that leave the smallest greatest common divisor, less than both
+  // coefficients, if there is a way to 1.
   bool find_pair_to_combine(std::size_t& first, std::size_t& second) const
   {
     Integer common(0);
@@ -583,7 +583,7 @@ private:
 
   std::size_t m_number_of_original_columns;
   std::vector<Entries<std::int64_t> > m_auxiliary_unknowns;
-  std::vector<int> m_sum_sizes; // of the auxiliary unknowns
+  std::vector<int> m_sum_sizes; // per auxiliary unknown
   std::vector<Row> m_rows;
   std::vector<Integer> m_right_hand_side;
   std::vector<State> m_states;

@@ -120,7 +120,7 @@ public:
     } while(insertions > insertions_before + basis.size() / 8);
   }
 
-  // That of the reduced basis.
+  // The frame of the reduced basis.
   Orthogonal_frame& frame() { return m_frame; }
   double work() const { return m_work; } // multiplications
 

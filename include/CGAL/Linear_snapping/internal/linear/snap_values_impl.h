@@ -158,7 +158,7 @@ private:
   Magnitudes m_changes, m_optimal_changes, m_spacing, m_sizes;
 };
 
-constexpr double far_ratio = 10; // of distances; what is farther is looked for again, and told
+constexpr double far_ratio = 10; // beyond this ratio of distances, another search follows
 
 // The first of them.
 inline std::string list_of_rows(const std::vector<std::size_t>& rows)

@@ -89,8 +89,8 @@ public:
 private:
   struct Column
   {
-    int exponent;      // of its grid
-    Grid_value target; // there
+    int exponent;      // grid
+    Grid_value target; // on the grid
     bool is_held;      // at the target: all others are less important
   };
 

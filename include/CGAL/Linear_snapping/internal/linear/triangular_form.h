@@ -91,11 +91,11 @@ private:
   std::vector<std::size_t> m_number_of_rows, m_sum_of_rows; // per column, of those that are left
   std::vector<char> m_is_waiting; // per row: whether it is in `m_order`
   std::vector<Row_index> m_order;
-  std::vector<Entry<std::int64_t> > m_pivots; // of these
+  std::vector<Entry<std::int64_t> > m_pivots; // per row in `m_order`
 };
 
-// Of which numbers the unknowns are to be multiples, so that all pivots divide; empty if a number
-// is large, or no grid makes a right-hand side divisible.
+// The numbers of which the unknowns are to be multiples, so that all pivots divide; empty if a
+// number is large, or no grid makes a right-hand side divisible.
 // \param halvings becomes how often right-hand sides must be doubled at least
 inline std::vector<std::int64_t> multiples_for_pivots(const Integer_system& system,
                                                       const Triangular_order& order,

@@ -48,7 +48,7 @@ public:
     for_each([&](const auto i, const T&) { ++m_begin[std::size_t(i) + 1]; });
     std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
     m_elements.resize(m_begin.back());
-    std::vector<std::size_t> end(m_begin); // of what is there
+    std::vector<std::size_t> end(m_begin); // behind the elements that a list has so far
     for_each([&](const auto i, const T& x) { m_elements[end[std::size_t(i)]++] = x; });
   }
 

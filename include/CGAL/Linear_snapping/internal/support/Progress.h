@@ -69,7 +69,7 @@ public:
     pause.progress->m_told = Clock::now();
   }
 
-  // The same if nothing has been told for a second.
+  // Tells the words if nothing has been told for a second.
   template <typename Words>
   static void tell_each_second(const Words& words)
   {

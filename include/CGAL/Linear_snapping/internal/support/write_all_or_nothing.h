@@ -56,7 +56,7 @@ template <typename Change, typename Get, typename Put>
 std::optional<Refusal> write_all_or_nothing(const std::size_t n, const Change& change,
                                             const Get& get, const Put& put)
 {
-  std::size_t end = 0; // of what was written, perhaps in part
+  std::size_t end = 0; // behind the last value that was written, perhaps in part
   const auto take_back = [&] { // the last first, as corners may share a place
     for(; end > 0; --end)
       put(change(end - 1), change(end - 1).before);
