@@ -138,14 +138,15 @@ Linear_report snap_to_linear_constraints(const Linear_constraints<Coefficient>& 
 
 moves the values `x` to nearby values that satisfy \f$ C x = b \f$ exactly.
 
-On success, \f$ C x = b \f$ holds in exact arithmetic on the new values, which have the number type of
-the old ones. The function verifies this before it writes the values. They lie on a grid
-\f$ 2^e \mathbb{Z} \f$ that the number type can represent, and approximate the weighted least-squares
-optimum: the real solution \f$ x^* \f$ that minimizes \f$ \sum_j w_j (x^*_j - \bar x_j)^2 \f$.
+On success, \f$ C x = b \f$ holds in exact arithmetic on the new values, which have the number type
+of the old ones. The function verifies this before it writes the values. They lie on a grid
+\f$ 2^e \mathbb{Z} \f$ that the number type can represent, and approximate the weighted
+least-squares optimum: the real solution \f$ x^* \f$ that minimizes
+\f$ \sum_j w_j (x^*_j - \bar x_j)^2 \f$.
 
 The function does not change values that occur in no constraint, or that satisfy all constraints
-already. On failure it changes nothing. Constraints may be redundant. Coefficients may have any size:
-if 64-bit integers do not suffice, the function uses multiprecision integers.
+already. On failure it changes nothing. Constraints may be redundant. Coefficients may have any
+size: if 64-bit integers do not suffice, the function uses multiprecision integers.
 
 The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}, with sparse elimination, unit
 pivots first, and a least-squares target.
@@ -181,9 +182,9 @@ pivots first, and a least-squares target.
     \cgalParamDefault{`false`; not read with a `visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{receives the progress as lines of text, in the calling thread. An exception
-                          that it throws ends the function and passes on to the caller; `x` is
-                          untouched then.}
+    \cgalParamDescription{receives the progress as lines of text, in the calling thread. An
+                          exception that it throws ends the function and passes on to the caller;
+                          `x` is untouched then.}
     \cgalParamType{a model of `ProgressVisitor`, or `std::ref()` of one}
     \cgalParamDefault{with `verbose`, a visitor that writes to `std::cerr`; else none}
   \cgalParamNEnd
@@ -197,30 +198,29 @@ pivots first, and a least-squares target.
         - `INCONSISTENT`: there is no solution; `Linear_report::certificate` holds the constraints
           that contradict each other;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
-        - `NOT_REPRESENTABLE`: there are rational solutions, but the function found no solution in the
-          number type near the values. It also refuses a solution that keeps nothing of the values,
-          such as all zeros: a part of the system would move by more than a tenth of the size of its
-          values (both root mean squares), and its `Linear_report::distance_ratio` would exceed
-          1,000;
+        - `NOT_REPRESENTABLE`: there are rational solutions, but the function found no solution in
+          the number type near the values. It also refuses a solution that keeps nothing of the
+          values, such as all zeros: a part of the system would move by more than a tenth of the
+          size of its values (both root mean squares), and its `Linear_report::distance_ratio` would
+          exceed 1,000;
         - `TOO_LARGE`: constraints without a coefficient 1 or -1 link too many unknowns, see below.
 
 \par Search
-The function first looks for a solution on one grid for all unknowns that depend on each other. If it
-finds none, or one that is farther than ten times the optimum, it looks for a solution with a grid for
-each unknown, for up to 200 unknowns. For \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ near
+The function first looks for a solution on one grid for all unknowns that depend on each other. If
+it finds none, or one that is farther than ten times the optimum, it looks for a solution with a
+grid for each unknown, for up to 200 unknowns. For \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ near
 \f$ (1, -1, 0) \f$, for example, this search finds \f$ (1, -1, 2^{-60}) \f$. It can miss a solution,
-but rarely does (see \ref LSnappingGuarantees). If the result is farther than ten times the distance to
-be expected, `Linear_report::distance_ratio` and `Linear_report::message` say this.
+but rarely does (see \ref LSnappingGuarantees). If the result is farther than ten times the distance
+to be expected, `Linear_report::distance_ratio` and `Linear_report::message` say this.
 
 \par Complexity
-Nearly linear in the number of nonzero coefficients if each constraint has a coefficient 1 or -1 left
-when its turn comes, as in the systems of seamless parametrizations. The function solves parts that
-share no unknown separately, and factorizes equal parts with equal weights once. Triangular systems of
-more than 200 unknowns, such as \f$ 8 f = a + 6 b + c \f$ for each vertex \f$ f \f$ of a refinement,
-take linear time too.
-All other constraints without a coefficient 1 or -1 take a dense integer lattice: quadratic memory and
-cubic time in the number of unknowns that they link. The work is bounded: beyond about a minute the
-status is `TOO_LARGE`.
+Nearly linear in the number of nonzero coefficients if each constraint has a coefficient 1 or -1
+left when its turn comes, as in the systems of seamless parametrizations. The function solves parts
+that share no unknown separately, and factorizes equal parts with equal weights once. Triangular
+systems of more than 200 unknowns, such as \f$ 8 f = a + 6 b + c \f$ for each vertex \f$ f \f$ of a
+refinement, take linear time too. All other constraints without a coefficient 1 or -1 take a dense
+integer lattice: quadratic memory and cubic time in the number of unknowns that they link. The work
+is bounded: beyond about a minute the status is `TOO_LARGE`.
 
 | system | outcome |
 |---|---|
@@ -230,8 +230,8 @@ status is `TOO_LARGE`.
 | 350 such constraints, 700 unknowns | `TOO_LARGE` |
 | one constraint with coefficients of 40 bits, 100 unknowns | half a second |
 | one such constraint, 300 or 1,000 unknowns | some ten seconds |
-| each of 1,600 unknowns in a square is the mean of its four neighbors | `NOT_REPRESENTABLE`: all would become 0 |
-| a grid for each unknown, up to 200 unknowns with coefficients of 40 bits | at most some seconds |
+| each of 1,600 unknowns in a square is the mean of its four neighbors | `NOT_REPRESENTABLE` |
+| a grid for each unknown, 200 unknowns, coefficients of 40 bits | at most some seconds |
 */
 template <typename Constraints, typename RightHandSide, typename Values,
           typename NamedParameters = CGAL::parameters::Default_named_parameters

@@ -56,8 +56,8 @@ struct Linear_solver_figures
 /*!
 \ingroup PkgLinearSnappingRef
 
-The report of `snap_to_linear_constraints()`: the outcome, the place and remedy of a failure, and how
-far the values moved. It converts to `true` if and only if all constraints hold exactly in the
+The report of `snap_to_linear_constraints()`: the outcome, the place and remedy of a failure, and
+how far the values moved. It converts to `true` if and only if all constraints hold exactly in the
 caller's values.
 
 Lengths are in the units of the values; divide by `extent` for relative ones. Figures of a step that

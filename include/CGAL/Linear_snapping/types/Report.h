@@ -118,8 +118,8 @@ inline std::ostream& operator<<(std::ostream& os, const Outcome outcome)
 /*!
 \ingroup PkgLinearSnappingRef
 
-The part that all reports have: the outcome, and a message with the reason and the place. It converts
-to `true` if and only if the result has been written, or was there already.
+The part that all reports have: the outcome, and a message with the reason and the place. It
+converts to `true` if and only if the result has been written, or was there already.
 */
 struct Report
 {

@@ -225,8 +225,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * \endcode
  *
  * All packages have these functions, for example `CGAL::Quad_remeshing::parameters`. A sequence can
- * also start in `CGAL::parameters`; it then contains \cgal's names only. If a name occurs twice, the
- * last one counts.
+ * also start in `CGAL::parameters`; it then contains \cgal's names only. If a name occurs twice,
+ * the last one counts.
  *
  * Names of the packages:
  * - `align_border`: whether border edges are to lie on isocurves (`bool`)
@@ -262,8 +262,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  *   quads (`double`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
  * - `minimize_number_of_quads`: whether a quantization has as few quads as are found (`bool`)
- * - `near_distance`: for isocurves in floating point, the distance at which a curve counts as having
- *   missed a vertex, relative to the extent of the coordinates (`double`)
+ * - `near_distance`: for isocurves in floating point, the distance at which a curve counts as
+ *   having missed a vertex, relative to the extent of the coordinates (`double`)
  * - `needs_face_graph`: whether the quads of a quantization have to form a face graph (`bool`)
  * - `number_of_untangling_iterations`: about the largest number of iterations over all faces that
  *   are spent on flipped triangles, of a parametrization under way or in the input (`unsigned int`)

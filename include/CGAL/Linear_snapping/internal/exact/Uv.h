@@ -62,8 +62,8 @@ std::array<Number, 3> vector_product(const std::array<Number, 3>& a,
                                      const std::array<Number, 3>& b)
 { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
 
-// The bound for integer-grid maps. Below it, the error of a coordinate computed on an edge stays under
-// 1/4, and sums of coordinates and translations stay exact integers.
+// The bound for integer-grid maps. Below it, the error of a coordinate computed on an edge stays
+// under 1/4, and sums of coordinates and translations stay exact integers.
 constexpr double largest_grid_coordinate = 70368744177664.; // 2^46
 
 using Uv_triangle = std::array<Uv, 3>;
