@@ -159,118 +159,34 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-remeshes a triangle mesh with quads only, about as many as wanted.
+remeshes a triangle mesh with quads only.
 
-The steps are `approximate_seamless_parametrization()`, `snap_to_seamless()`, `quantize()`,
-`extract_quad_mesh()`, and a smoothing of the vertices along the surface. Opposite cones of the
-field that are less than about two edges of the wanted quads apart cancel, unless
-`vertex_sizing_map` varies. Borders are aligned, and so are feature edges: they become chains of
-edges of quads, whose vertices lie on them.
+The function computes a parametrization along a smooth cross field, makes it exactly seamless,
+quantizes it, extracts its quads, and moves their vertices along the surface. Feature edges and
+borders become chains of edges of quads.
 
-From an exact map without flipped faces on, nothing fails but for the number of bits, so that the
-result is a mesh of quads, homeomorphic to the surface. Whether there is such a map depends on the
-input: feature edges that can't be followed without flips are not kept, and where flips remain, the
-function says so.
+\par Guarantee
+If the function succeeds, the result is a valid face graph of quads that is homeomorphic to the
+input. The report counts inverted quads, released feature edges, and displaced vertices, which can
+occur. If features or cones are close together, no valid mesh with so few quads may exist. The
+function then returns the smallest larger mesh that it finds, and the message says so. If faces stay
+flipped in each parametrization, the function fails, and leaves `quads` unchanged.
 
-\par Preparation
-In a copy, triangles with three sides that are features or border are divided, and so are those at
-tips, where two of these meet in a sector of less than 50 degrees, longer than three times the side
-of one of 5,000 squares of the surface's area: the edges there get three parts each. Then one quad
-has its corner at the tip, as that of a rectangle. Divided are also long triangles, as of flat faces
-without vertices inside, if they cover a quarter of the area: those longer than four times their
-height, and than the side of one of 5,000 squares of the surface's area, in units of
-`vertex_sizing_map`. Longest edges are halved, those of the largest triangles first, until there are
-20 times as many more faces, at least 10,000 and at most 40,000. Edges that are not Delaunay are
-flipped if both faces have the same direction by `face_direction_map` and lie in a plane, up to a
-millionth of the diagonal of the bounding box; so vertices of quads can lie off the input by about
-as much. Parts of features and of the border are features and border.
+\par Score
+The result with fewer inverted quads is better. If these are equally many, the score is the mean
+scaled Jacobian, less penalties for released features and for edges whose length is not the wanted
+one. Among meshes of few quads, the distance from the surface and the number of quads count, too.
 
-\par Number of Quads
-Where cones and features lie close together, so few quads may not exist, or meet themselves, or each
-other twice, which no mesh can hold. Then the least larger number for which there is a mesh is
-searched for, in steps of 2.5 % from the number wanted, or from the least one without this condition
-(up to 41 % where the coarse triangulation has more than 1,400 triangles): strips of quads across
-edges that are in the way are doubled; or there are a quarter as many quads, and each is divided
-into four, or a sixteenth, into sixteen. That always helps. There are at most 254 quantizations of a
-map, and 149 with `minimize_number_of_quads`, with up to 16 extractions of quads for each of the
-three ways; two more quantizations where there are far more quads than wanted, to tell how many the
-features force. Where there are more than 1.1 times as many as wanted, and features neither force
-these nor are released, further maps are made, with more or fewer cones: for each halving of the
-number four times, and for each doubling up to about 1.5 times the fewest quads that are known,
-unless they have the same field. The
-result has about as many quads as wanted, or as few as were found, which the message tells; and,
-unless features force quads or are released, at least 95 % of those that are made where fewer are
-wanted. Of at most 1,000, those of up to eight of these maps are compared, the fewest first, that
-have at most a quarter more than the fewest, or than the wanted number: in a rough shape, after four
-rounds at most, and two of them once they are improved. The best ones are taken, by their shape,
-distance from the surface, and number: so there may be down to three quarters of those that are made
-where fewer are wanted. Where the rough shape of the fewest is bad, with a mean scaled Jacobian
-below 0.9, up to five larger numbers of the same map, in steps of a tenth up to half as many again,
-are among these eight: the message tells if such ones are taken that are more than 1.1 times as many
-as wanted. The quad around a vertex of one edge is left out.
+\par Search
+If the first result has flaws, the function tries further settings and returns the best result:
+parametrizations with other cones, other numbers of quads, triangles that are subdivided, the border
+as it is, and fewer features near bad quads. Vertices leave features, and then the surface, only if
+quads stay inverted otherwise. The user manual lists these attempts: \ref QRemeshingSearch.
 
-\par Shape
-Where more than a tenth of the quads are inverted at first, as those of a map that is much
-distorted, all other vertices move to the middle of their neighbors, whatever becomes of quads on
-the way, as long as the mean scaled Jacobian gets better, half of the quads' area is left, and quads
-are inverted, at most 100 rounds. After some rounds of smoothing, which leave these vertices where
-they are, all vertices move to where their quads are near to rectangles, with sides of which none is
-more than 20 times as long as others, and, of up to 6,600 quads, near to the surface; those on
-features and borders move along these, and stay where they turn, meet, or end. There are at most
-four times as many rounds, and of about 50,000 quads in all, or one round. What this leaves inverted
-or thin is improved: vertices near by move along the surface or along their feature, unless it turns
-or ends there, and two quads around a vertex of two edges become one. What is inverted even then is
-taken out, as two opposite vertices become one, if no other quad is inverted by that; what is left,
-or flat, as between two features that are a straight line in space, becomes five quads, one of them
-inside, if those have a better shape.
-
-The vertices of quads that are inverted even then leave their features, and the surface where that
-does not help, unless it is a plane, by as little as mends the quads, and by at most half of the
-quad's longest edge at a time; the report counts them, and tells by how much. Where that is not
-enough, the vertices of the quads around move, too, in at most five rounds. There are at most 20,000
-such moves of a vertex in all. If at most ten quads are inverted even then, all vertices around each
-of them, but those on the border, up to eight quads away, move to the middle of their neighbors, in
-40 rounds, and what is inverted then is mended as before, if fewer are. With `symmetry_plane`,
-vertices stay.
-
-\par Attempts
-Where the first quads have flaws, all is made again, and the best quads are taken: those with the
-fewest inverted ones, and then with the better mean scaled Jacobian, less half of the part of the
-features' length that is released, and less half of what the median edge differs from its wanted
-length, where that is from 0.5 to 1.5.
-- Where quads are inverted, without the features that are nearer to them than an edge of a quad, or
-  two, four, or eight if there are none; if that does not help, without those within twice as many
-  edges. So there are at most five attempts, each if a quarter of the work is left that the first
-  one took. Where more than a twentieth of the quads are inverted and at features, and half of the
-  bound below is left, that is done at once, without mending them one by one.
-- Where the mean scaled Jacobian is less than 0.8, or, of less than 1.1 times as many quads as
-  wanted, less than 0.9, or the median edge of so few differs from its wanted length by more than a
-  half, without the features near quads whose scaled Jacobian is less than 0.1; and once more if
-  lengths differ by so much even then. The report counts the features that are released.
-- Where features are released, vertices displaced, or quads inverted, or their mean scaled Jacobian
-  is less than 0.95, with large triangles divided, too, which leave a map no room between features:
-  those longer than four sides of such a square, if they and the long ones cover a quarter of the
-  area, and 70 % of the work is left. With `minimize_number_of_quads`, the second ones are taken
-  only if they are no more, and their part of the number of the first ones counts like the mean
-  scaled Jacobian.
-- Where corners of the border are left out, and quads are inverted or vertices displaced, or the
-  mean scaled Jacobian is less than 0.9, with all corners, if 70 % of the work is left, for at most
-  1.2 times as many quads.
-- Where some of at most 2,000 quads are inverted even then, with 1.25, 1.5, and 2 times as many, one
-  after the other, unless none is inverted before, or the work is spent; with
-  `minimize_number_of_quads`, as where one quad is wanted before these. The message tells of it.
-- Where no quads are found on refined surfaces, or without some corners, of the input as it is.
-
-\par Bounds
-All searches, in all attempts, have a bound: the work of 20 million iterations of untangling over a
-face, of about 3 microseconds each, or of 100 for each face and each wanted quad, if that is more.
-Factorizations, releases of features, searches for strips and for the nearest place on the surface,
-and extractions count for as many as take as long. It is counted, not measured, so that results
-don't depend on the machine. Where it is spent, which the
-message tells, there are no further maps, attempts, and rounds: the first number of quads that makes
-a mesh is taken, and the report counts the quads that are inverted; where faces are flipped still,
-the status is `NOT_POSITIVE`. To improve the shape of quads, 3 million are kept. What has to be made
-in any case takes some seconds on 100,000 faces, and about as long for 10,000 quads.
+\par Bound
+All searches together have one bound on their work, which grows with the sizes of input and result.
+The work is counted, not timed, so the result does not depend on the machine. If the work is spent,
+the function returns the best result so far, and the message says so.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -472,10 +388,14 @@ in any case takes some seconds on 100,000 faces, and about as long for 10,000 qu
         The message names the place and the remedy.
 
 \par Complexity
-That of the steps, with the bound of the work above. The parametrization takes most of the time,
-unless many numbers of quads are tried.
+The parametrization solves sparse linear systems of the size of the input, which take most of the
+time. The other steps take nearly linear time in the sizes of input and result. Searches add at most
+their bound.
 
+\sa `approximate_seamless_parametrization()`
+\sa `snap_to_seamless()`
 \sa `quantize()`
+\sa `extract_quad_mesh()`
 */
 template <typename TriangleMesh, typename QuadMesh,
           typename NamedParameters1 = CGAL::parameters::Default_named_parameters,

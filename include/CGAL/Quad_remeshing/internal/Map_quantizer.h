@@ -53,7 +53,7 @@ public:
   // Half of the work is left for the shape of quads. Returns whether there is a quantization.
   bool run()
   {
-    constexpr int most_lower = 4;
+    constexpr int most_lower = 4; // rungs below the wanted one
     const double number =
       m_run.options.quantization.is_coarsest ? 1 : m_run.options.quantization.number_of_quads;
     if(m_run.surface.has_sizes_that_vary() || !(number >= 1))
@@ -99,7 +99,7 @@ public:
     return bool(m_run.quantization);
   }
 
-  static constexpr std::size_t most_choices = 8;
+  static constexpr std::size_t most_choices = 8; // maps whose quads are compared
 
 private:
   bool sizes_vary() const
@@ -111,7 +111,7 @@ private:
   // given more finely has the same field.
   double curvature_alignment() const
   {
-    constexpr double most_faces = 50000;
+    constexpr double most_faces = 50000; // more faces follow the curvature less
     const double part = most_faces / double(m_run.mesh().number_of_faces());
     return m_run.options.curvature_alignment.value_or(
       sizes_vary() ? 0. : 0.002 * (std::min)(1., part));

@@ -126,7 +126,7 @@ private:
   // Products of lengths that differ by more are 0 or infinite.
   bool check_lengths()
   {
-    constexpr double largest_ratio = 1e50;
+    constexpr double largest_ratio = 1e50; // of edge lengths: squares of their products stay finite
     double least = std::numeric_limits<double>::infinity(), longest = 0;
     std::size_t face = 0;
     for(const auto f : m_run.mesh().faces())
@@ -172,7 +172,7 @@ private:
   // Of a half, as many as make a mesh with their mirror image.
   bool make_quads()
   {
-    constexpr int most_rounds = 12;
+    constexpr int most_rounds = 12; // numbers of quads for one half of a mirrored mesh
     for(int round = 0; round < most_rounds; ++round) {
       if(!extract())
         return false;
@@ -317,7 +317,7 @@ private:
 
   static double work_of(const Quad_smoother& smoother)
   {
-    constexpr double of_search = 1;
+    constexpr double of_search = 1; // the work of a search for the nearest point on the surface
     return of_search * double(smoother.number_of_searches());
   }
 
@@ -487,8 +487,9 @@ private:
         ++m_run.report.number_of_irregular_vertices;
   }
 
-  static constexpr std::size_t number_of_samples = 5000, rounds_to_choose = 4;
-  static constexpr int most_mending_rounds = 4;
+  static constexpr std::size_t number_of_samples = 5000; // of the distance of a choice
+  static constexpr std::size_t rounds_to_choose = 4; // for the rough shape of each choice
+  static constexpr int most_mending_rounds = 4; // of moving vertices off features or surface
   static constexpr std::size_t shaping_rounds = 4; // for each of smoothing, at most
 
   Remeshing_run m_run;
@@ -538,7 +539,7 @@ void make_others(const Make& make, const Is_better& is_better, Surface_to_remesh
 
 // By which the median edge differs from its wanted length: less matters less than shape, and more
 // than the second one is forced, as where very few quads are wanted.
-constexpr double good_deviation = 0.5, forced_deviation = 1.5;
+constexpr double good_deviation = 0.5, forced_deviation = 1.5; // as parts of the wanted edge length
 
 // Compares results that may have released features.
 class Is_better
@@ -587,7 +588,8 @@ inline Remeshing_report remesh_surface(Surface_to_remesh& surface,
   const Is_better is_better(surface);
   const Work& work = *options.quantization.work;
   Remeshing_report before; // an attempt: what has been released
-  constexpr double most_edges = 8, good_jacobian = 0.9;
+  constexpr double most_edges = 8; // of quads, around a bad one
+  constexpr double good_jacobian = 0.9; // a mean scaled Jacobian
   constexpr double bad_jacobian = 0.8; // also where there are more quads than wanted
   double edges = 1; // of quads, around the bad ones: features there are released next
   bool may_try_again = true;

@@ -67,7 +67,7 @@ inline void set_turns(const Triangle_surface& surface, const std::vector<double>
 // Ties are broken away from the half, so that symmetric meshes don't decide by rounding errors.
 inline int nearest_turns(const double angle)
 {
-  constexpr double tie_breaker = 1e-4;
+  constexpr double tie_breaker = 1e-4; // of a quarter turn
   return static_cast<int>(std::floor(angle / quarter_turn + 0.5 - tie_breaker));
 }
 

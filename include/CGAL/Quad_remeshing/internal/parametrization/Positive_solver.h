@@ -58,7 +58,7 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
                       const Coordinate_table& table, const long number_of_rounds,
                       const Mend& mend, Sparse_system& system, Report& report)
 {
-  constexpr std::size_t faces_of_a_flip = 2000;
+  constexpr std::size_t faces_of_a_flip = 2000; // fewer flips of a large surface are few
   const std::size_t few_flips =
     is_large(surface) ? std::size_t(surface.number_of_faces()) / faces_of_a_flip : 0;
   std::vector<double> weights(surface.number_of_faces(), 1), best;
@@ -152,7 +152,7 @@ inline std::vector<Corner_index> release_third_edges(Triangle_surface& surface)
 class Release_size
 {
 public:
-  static constexpr std::size_t most = 64;
+  static constexpr std::size_t most = 64; // feature edges that are released at once
 
   std::size_t get() const { return m_number; }
 
@@ -257,7 +257,7 @@ private:
   // far around each time that they have not become fewer. Leaves the fewest, and returns how many.
   std::size_t stiffen_near_flips(std::vector<double>& unknowns)
   {
-    constexpr int most_rounds = 12;
+    constexpr int most_rounds = 12; // of stiffening near flips
     std::size_t edges = 20;
     const auto wanted = [&](const Corner_index h)
     { return wanted_difference(m_surface, m_angles, h); };
@@ -342,7 +342,7 @@ private:
   // Where coordinates are long sums of these, edges are released before such a patch is tried.
   std::vector<std::size_t> untangle(std::vector<double>& unknowns, const Untangling how)
   {
-    constexpr std::size_t edges_around = 10;
+    constexpr std::size_t edges_around = 10; // of the faces around a flip that are untangled first
     std::vector<std::size_t> faces(std::size_t(m_surface.number_of_faces()));
     const bool has_long_sums = m_table->has_long_sums();
     if(is_large(m_surface) || has_long_sums) {
@@ -419,7 +419,7 @@ private:
     return m_released.size() > before;
   }
 
-  static constexpr std::size_t largest_number_of_rounds = 20;
+  static constexpr std::size_t largest_number_of_rounds = 20; // of untangling and release
 
   Triangle_surface& m_surface;
   const std::vector<char>& m_is_cut;

@@ -181,7 +181,7 @@ inline Prescribed_field harmonic_field(const Cross_graph& graph, const Prescribe
 inline void smoothen_unit_field(const Cross_graph& graph, const Prescribed_field& prescribed,
                                 Prescribed_field& field, Timed_solver& solver)
 {
-  constexpr int number_of_rounds = 8;
+  constexpr int number_of_rounds = 8; // of diffusion for each time step
   normalize_each(field);
   for(const double time : {100., 10.}) {
     Cross_field_system system(graph, prescribed, 1 / graph.mean_mass, time, solver);
@@ -292,7 +292,7 @@ inline Prescribed_field solve_directly(const Cross_graph& graph, const Wanted_fi
 // between, long ones outweigh short ones, which removes pairs of cones that cancel out.
 inline void relax(const Cross_graph& graph, const Wanted_field& wanted, Prescribed_field& field)
 {
-  constexpr int number_of_rounds = 30, rounds_of_linear_field = 10;
+  constexpr int number_of_rounds = 30, rounds_of_linear_field = 10; // of Gauss-Seidel relaxation
   for(int round = 1; round <= number_of_rounds; ++round)
     for(std::size_t n = 0; n < graph.size(); ++n) {
       const std::size_t i = round % 2 == 0 ? n : graph.size() - 1 - n;
@@ -316,7 +316,7 @@ inline void relax(const Cross_graph& graph, const Wanted_field& wanted, Prescrib
 inline Prescribed_field solve_by_levels(const Cross_graph& graph, const Wanted_field& wanted,
                                         const unsigned int seed, Timed_solver& solver)
 {
-  constexpr std::size_t largest_direct_size = 50000;
+  constexpr std::size_t largest_direct_size = 50000; // faces; larger surfaces are solved by levels
   if(graph.size() <= largest_direct_size)
     return solve_directly(graph, wanted, seed, solver);
   const Clusters clusters(graph);

@@ -244,7 +244,7 @@ inline std::vector<double> distortion(const Triangle_surface& surface,
 inline void stiffen(const Triangle_surface& surface, const Surface_complex& complex,
                     const Coordinates& uv, std::vector<double>& weights)
 {
-  constexpr double largest_increase = 5, factor_of_flips = 2;
+  constexpr double largest_increase = 5, factor_of_flips = 2; // of weights, in one round
   const std::vector<double> lambda = distortion(surface, complex, uv);
   std::vector<char> is_near_flip(surface.number_of_faces(), false);
   for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f) {

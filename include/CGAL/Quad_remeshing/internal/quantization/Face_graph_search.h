@@ -174,7 +174,7 @@ private:
                             : moves.change(f.entry, reversed(f.left));
   }
 
-  static constexpr int most_rounds = 16;
+  static constexpr int most_rounds = 16; // of doubling strips
 
   Intrinsic_complex& m_complex;
   const std::vector<double>& m_scales;
@@ -209,11 +209,11 @@ struct Quantized_complex
 template <typename Quantize>
 class Face_graph_search
 {
-  static constexpr int most_divisions = 2;
+  static constexpr int most_divisions = 2; // of each quad into four
   static constexpr int steps_per_division = 56; // of 2.5 %
   // the first quads that can be divided are at times half as many again as those of the next steps
   static constexpr int most_steps = (2 * most_divisions + 1) * steps_per_division / 2;
-  static constexpr double tolerance = 0.05;
+  static constexpr double tolerance = 0.05; // by which a smaller target may give more quads
 
 public:
   // \param maximum_number of quads: what has more is neither checked nor searched on

@@ -181,7 +181,7 @@ public:
   }
 
 private:
-  static constexpr double least_gain = 1e-9;
+  static constexpr double least_gain = 1e-9; // above rounding errors
   static constexpr double dearest_repair = 20; // as a sum of weighted squares
 
   std::vector<Strip_state> improving_states() const
@@ -279,7 +279,7 @@ private:
   // How often the changes can be made until once more gains nothing: what they gain is linear.
   std::int64_t number_of_gains()
   {
-    constexpr double most = 1e9;
+    constexpr double most = 1e9; // moves along one strip at once
     const double first = make_changes(1), second = make_changes(1);
     make_changes(-2);
     if(first >= -least_gain || first >= second) // the latter by rounding only

@@ -220,7 +220,7 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr double price_of_step = 1e-6;
+  static constexpr double price_of_step = 1e-6; // prefers the shorter of two strips
   static constexpr double weight_of_stretching = 2; // that of shear is 1
 
   // How the map from a wanted triangle to that of units changes where the corner opposite to a

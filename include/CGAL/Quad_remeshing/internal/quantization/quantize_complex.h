@@ -188,7 +188,7 @@ private:
   // Of few triangles that can't be repaired, some can be when others are; many are hopeless.
   bool repair()
   {
-    constexpr std::size_t most_failures = 4;
+    constexpr std::size_t most_failures = 4; // triangles that no strip repairs end a scale
     Strip_moves moves(m_complex, m_scales, m_work);
     std::size_t before = m_complex.corners.size(), number = before - 1; // of triangles left
     while(number > 0 && number < before) {
@@ -257,7 +257,7 @@ public:
 
 private:
   // Of this many times the quads wanted, most are forced.
-  static constexpr double most_times_as_many = 3;
+  static constexpr double most_times_as_many = 3; // quads, of the wanted number
 
   double offset(const int ladder) const { return double(ladder) / m_number; }
 

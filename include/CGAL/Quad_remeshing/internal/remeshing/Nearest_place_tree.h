@@ -232,7 +232,7 @@ private:
   };
   using Entry_iterator = typename std::vector<Entry>::iterator;
 
-  static constexpr std::ptrdiff_t most_in_leaf = 4;
+  static constexpr std::ptrdiff_t most_in_leaf = 4; // triangles
 
   // Gives the node the elements from `begin` to `end`.
   void build(const std::size_t node, const Entry_iterator begin, const Entry_iterator end,

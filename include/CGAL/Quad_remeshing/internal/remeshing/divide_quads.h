@@ -184,7 +184,7 @@ private:
   }
 
   static constexpr double flat = 0.01; // as a scaled Jacobian
-  static constexpr std::size_t most_starts = 6;
+  static constexpr std::size_t most_starts = 6; // places of the inner quad
 
   Mesh& m_quads;
   Feature_map m_is_feature;

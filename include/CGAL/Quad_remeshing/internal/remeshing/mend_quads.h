@@ -253,9 +253,10 @@ private:
         m_displaced.emplace(m_vertices[i], m_places[i]);
   }
 
-  static constexpr int most_rounds = 40;
-  static constexpr int most_moves = 20000;
-  static constexpr std::size_t most_to_relax = 10, most_rings = 8;
+  static constexpr int most_rounds = 40; // of relaxing around a quad
+  static constexpr int most_moves = 20000; // of vertices, in all
+  static constexpr std::size_t most_to_relax = 10; // inverted quads
+  static constexpr std::size_t most_rings = 8; // of quads, around an inverted one
 
   Mesh& m_quads;
   Quad_smoother& m_smoother;

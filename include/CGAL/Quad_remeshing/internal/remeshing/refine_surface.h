@@ -48,11 +48,11 @@ public:
   // many times their height; large ones, if they are longer than so many sides. Where these cover
   // less than such a share of the area, nothing is changed. Halves of quads between walls stay if
   // they are not larger than so many squares: for few quads, a rectangle is better than cones.
-  static constexpr double number_of_squares = 5000;
-  static constexpr double squares_of_half = 15;
-  static constexpr double longness = 4;
-  static constexpr double largest_length = 4;
-  static constexpr double least_share = 0.2;
+  static constexpr double number_of_squares = 5000; // the side of one is the unit of lengths
+  static constexpr double squares_of_half = 15; // the largest half of a quad that stays
+  static constexpr double longness = 4; // length over height of a long triangle
+  static constexpr double largest_length = 4; // units, of a large triangle
+  static constexpr double least_share = 0.2; // of the area, that such triangles cover
 
   // So that a triangle that is nearly a segment becomes no more faces than a large surface has.
   static std::size_t most_new_faces(const std::size_t number_of_faces)
@@ -236,7 +236,7 @@ private:
   bool is_flat_and_not_Delaunay(const Point& a, const Point& b, const Point& p,
                                 const Point& q) const
   {
-    constexpr double rounding = 1e-9;
+    constexpr double rounding = 1e-9; // of a sine
     const Vector n = CGAL::cross_product(a - p, b - p), m = CGAL::cross_product(b - q, a - q);
     const double sine_p = std::sqrt(n.squared_length()), cosine_p = (a - p) * (b - p);
     const double sine_q = std::sqrt(m.squared_length()), cosine_q = (b - q) * (a - q);

@@ -99,9 +99,11 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_samples = 20000, most_quads = 50000, most_few = 1000;
-  static constexpr double weight_of_distance = 2, weight_of_lines = 4;
-  static constexpr double turned_over = 1e100;
+  static constexpr std::size_t most_samples = 20000; // of the distance
+  static constexpr std::size_t most_quads = 50000; // in all rounds
+  static constexpr std::size_t most_few = 1000; // quads are few up to here
+  static constexpr double weight_of_distance = 2, weight_of_lines = 4; // shape has the weight 1
+  static constexpr double turned_over = 1e100; // the badness of an inverted quad
   static constexpr double little = 0.01, enough = 0.001; // badness
 
   // None where they would be few for each quad.
@@ -217,7 +219,7 @@ private:
   // alone, a vertex on a line would halve the edge to its end in each round.
   static double badness_of_sides(const Quad& q)
   {
-    constexpr double long_side = 20, weight = 0.05, least_square = 1e-100;
+    constexpr double long_side = 20, weight = 0.05, least_square = 1e-100; // sides over others
     double shortest = std::numeric_limits<double>::infinity(), longest = least_square;
     for(std::size_t i = 0; i < 4; ++i) {
       const double squared = squared_distance(q[i], q[(i + 1) % 4]);

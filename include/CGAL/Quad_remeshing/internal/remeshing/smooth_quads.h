@@ -102,7 +102,7 @@ public:
   template <typename Is_held>
   void unfold(const Is_held& is_held)
   {
-    constexpr int most_blocks = 10, rounds = 10;
+    constexpr int most_blocks = 10, rounds = 10; // blocks of rounds of unfolding
     std::size_t number = number_of_inverted_quads();
     if(10 * number <= m_quads.number_of_faces())
       return;
@@ -163,7 +163,8 @@ public:
   // its middle and those of its edges, and of more where quads are few.
   double measure_distance() const
   {
-    constexpr std::size_t enough_points = 100000, most_parts = 64;
+    constexpr std::size_t enough_points = 100000; // in all
+    constexpr std::size_t most_parts = 64; // of the side of a quad
     std::size_t n = 2;
     while(n < most_parts && m_quads.number_of_faces() * (2 * n) * (2 * n) <= enough_points)
       n *= 2;
@@ -271,7 +272,7 @@ public:
   // Of a surface that is a plane, or parallel ones that face to one side; else 0.
   Space_vector unit_normal_of_plane() const
   {
-    constexpr double rounding = 1e-9;
+    constexpr double rounding = 1e-9; // of the unit normal
     Space_vector sum{};
     double size = 0;
     for(const Face f : faces(m_surface)) {
@@ -325,7 +326,7 @@ private:
 
   static constexpr double well_shaped = 0.3; // as a scaled Jacobian
   static constexpr double distance_of_same_place = 1e-3; // on a surface of a size near 1
-  static constexpr double cosine_of_opposite_sides = -0.999, cosine_of_plate = -0.1;
+  static constexpr double cosine_of_opposite_sides = -0.999, cosine_of_plate = -0.1; // of normals
 
   void move(const Vertex v)
   {

@@ -61,7 +61,7 @@ public:
       return 0;
     divide_chords();
     find_vertices_near_by();
-    constexpr int most_rounds = 8;
+    constexpr int most_rounds = 8; // of dropping lines at flips
     for(int round = 0; move(), drop_lines_at_flips(); ++round)
       if(round == most_rounds)
         for(Line& line : m_lines)
@@ -84,7 +84,7 @@ private:
   };
 
   // Degrees, as of what is narrow but deep, such as a slot, of which lines make a wedge.
-  static constexpr double acute = 45;
+  static constexpr double acute = 45; // degrees
 
   template <typename Predicate>
   void find_lines(const Predicate& is_fixed)
@@ -338,7 +338,7 @@ private:
   // flat stays so, and inside; features and what is farther stay.
   void move()
   {
-    constexpr int number_of_rounds = 50;
+    constexpr int number_of_rounds = 50; // of moving the vertices inside
     for(const auto& [v, lines] : m_lines_at)
       m_points[v] = m_mesh.point(v);
     for(const Line& line : m_lines)

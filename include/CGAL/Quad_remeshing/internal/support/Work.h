@@ -39,7 +39,7 @@ public:
   // \param number of faces and quads
   static Work of_size(const double number)
   {
-    constexpr double of_each = 100;
+    constexpr double of_each = 100; // face and quad
     return Work((std::max)(most_work, of_each * number));
   }
 
@@ -60,7 +60,7 @@ public:
   bool is_left_for_shape(const double work) const { return m_left + most_for_shape > work; }
 
   static constexpr double most_work = 20e6; // about a minute
-  static constexpr double most_for_shape = 3e6;
+  static constexpr double most_for_shape = 3e6; // kept for the shape of quads
 
 private:
   double m_most;
