@@ -1,16 +1,16 @@
-# The method in four panels: reduction and elimination of a surface; target and evaluation of one
-# equation, and the latter by itself as a small picture.
+# Target and evaluation of one equation, and the latter by itself as a small picture. The pictures of
+# the steps use the drawings of a surface and of its system.
 #
-#   method.py MESH.obj SURFACE_OUT.png EQUATION_OUT.png SMALL_OUT.png
+#   method.py EQUATION_OUT.png SMALL_OUT.png
 
 import sys
-
-from matplotlib.lines import Line2D
 
 from integer_map import sectors
 from renderer import Buffer, Camera, visible_pieces
 from style import BLACK, BLUE, GRAY, GREEN, ORANGE, PURPLE, VERMILLION, np, plt, save, show
-from uv_mesh import next_of, read_obj, rotated
+from uv_mesh import next_of, rotated
+
+COLORS = (BLUE, ORANGE, GREEN, PURPLE)
 
 
 def reduced_rows(mesh):
@@ -84,20 +84,22 @@ def draw_matrix(axes, rows, order, free):
     axes.set_yticks([])
 
 
-def reduction(axes, mesh):
+def reduction(axes, mesh, is_by_rotation=False):
+    """The cuts on the surface, colored by their rotation; or by branch, with the nodes."""
     camera = Camera((0.3, 1, -1.1), (0, 0, 1), mesh.points.mean(axis=0), 5.5, (740, 470))
     buffer = Buffer(mesh, camera)
     samples = (buffer.face >= 0).sum()
     show(axes, buffer.image(np.full((samples, 3), 0.93)))
-    branches = mesh.branches()
-    for i, branch in enumerate(branches):
+    for i, branch in enumerate(mesh.branches()):
         line = mesh.points[[mesh.source[branch[0]]] + [mesh.target[h] for h in branch]]
+        color = COLORS[(mesh.rotation[branch[0]] if is_by_rotation else i) % 4]
         for piece in visible_pieces(buffer, line):
-            axes.plot(*piece.T, color=(BLUE, ORANGE, GREEN, PURPLE)[i % 4], lw=3.5)
+            axes.plot(*piece.T, color=color, lw=3.5)
+    if is_by_rotation:
+        return
     nodes = mesh.points[sorted(mesh.nodes)]
     seen = camera.project(nodes)[buffer.visible(nodes)]
-    axes.plot(seen[:, 0], seen[:, 1], "o", color=BLACK, ms=8, mec="white", mew=1.2)
-    return len(mesh.nodes), len(branches), int(mesh.is_cut.sum()) // 2
+    axes.plot(seen[:, 0], seen[:, 1], "o", color=BLACK, ms=7, mec="white", mew=1.2)
 
 
 def plane(axes):
@@ -171,62 +173,6 @@ def panel(figure, column, title, text):
     return axes
 
 
-def surface(mesh, out):
-    figure = plt.figure(figsize=(14, 5.75))
-    axes = panel(figure, 0, "1  Reduction", "")
-    counts = reduction(axes, mesh)
-    figure.text(
-        0.01,
-        0.17,
-        "Only the %d nodes and one translation for each of the %d branches\n"
-        "enter the system; the %d cut edges follow from them." % counts,
-        fontsize=12.5,
-        va="top",
-        linespacing=1.25,
-    )
-
-    rows, n = reduced_rows(mesh)
-    pivots = eliminated(rows)
-    order = [c for c, _ in pivots]
-    free = [c for c in range(n) if c not in set(order)]
-    before = panel(
-        figure,
-        1,
-        "2  Elimination",
-        "Integer rows, brought to echelon form with pivots "
-        "of 1 and −1. The free\nunknowns, at the right, can be chosen; the others follow.",
-    )
-    box = before.get_position()
-    before.set_position([box.x0, box.y0, box.width * 0.47, box.height])
-    after = figure.add_axes([box.x0 + box.width * 0.53, box.y0, box.width * 0.47, box.height])
-    draw_matrix(before, rows, list(range(n)), 0)
-    draw_matrix(after, [row for _, row in pivots], order + free, len(free))
-    before.legend(
-        [Line2D([], [], marker="s", color="white", mfc=c, mew=0, ms=8) for c in (BLUE, ORANGE)]
-        + [plt.Rectangle((0, 0), 1, 1, color="#d5efe5")],
-        ["positive", "negative", "free unknowns"],
-        ncol=3,
-        fontsize=12,
-        frameon=False,
-        loc="lower left",
-        bbox_to_anchor=(0.35, 1.0),
-        handletextpad=0.3,
-        borderpad=0,
-    )
-
-    print(
-        "unknowns",
-        n,
-        "rows",
-        len(rows),
-        "pivots",
-        len(pivots),
-        "largest",
-        max(abs(x) for _, row in pivots for x in row.values()),
-    )
-    save(figure, out)
-
-
 def equation(out, small_out):
     figure = plt.figure(figsize=(14, 5.75))
     target(
@@ -255,10 +201,5 @@ def equation(out, small_out):
     save(small, small_out)
 
 
-def main(mesh_name, surface_out, equation_out, small_out):
-    surface(read_obj(mesh_name), surface_out)
-    equation(equation_out, small_out)
-
-
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    equation(*sys.argv[1:])
