@@ -44,32 +44,29 @@ namespace Seamless_snapping {
 
 moves an approximately seamless parametrization to a nearby one that is exactly seamless.
 
-A parametrization that was computed by a numerical solver satisfies the conditions at its seams up
-to a small violation only. This function removes it: for each interior edge with ends \f$ a, b \f$,
+After success, for each interior edge with ends \f$ a, b \f$,
 \f[ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f]
-then holds in exact arithmetic, where \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates
-in the charts of the two faces, and \f$ R \f$ is the rotation by a multiple of 90 degrees that fits
-the input; or of another angle, which `rotational_symmetry` tells. Along edges with the identity as
-transition, both sides have the same coordinates to the bit. If asked to, the function also makes
-one coordinate constant along feature or border edges. All coordinates remain ordinary floating
-point numbers.
+holds in exact arithmetic. Here \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates in
+the charts of the two faces, and \f$ R \f$ is the rotation by a multiple of 90 degrees that fits the
+input. If the transition is the identity, both sides have the same coordinates, bit for bit. All
+coordinates remain ordinary floating point numbers.
 
-The result approximates the least-squares optimum, that is the exactly seamless parametrization that
-minimizes the sum of squared changes of the sectors at cut vertices. Corners that no constraint
-concerns keep their bits, unless the orientation of a face requires otherwise (and but for signs of
-zeros, where those of several corners in one place differ). A parametrization that is
-exactly seamless already is not touched at all. The result is verified exactly before the function
-reports success; on failure nothing has changed.
+The mesh may have any number of components of any genus, with or without border. Charts may be
+arranged in any way. The function reads cuts, rotations, and singular vertices off the coordinates,
+unless you pass them (see `seam_transitions()`).
 
-Faces of positive orientation keep it where an exactly seamless parametrization near by allows this.
-The orientations are decided exactly. If the closest solution turns a face over or makes it
-degenerate, one of its vertices, with all its sectors, is moved into the kernel of its 1-ring; if
-this is not possible, the closest exact solution that keeps the face is searched for.
-`Snapping_report` counts such faces, and lists those that could not be saved.
+The result approximates the least-squares optimum: the exactly seamless parametrization that
+minimizes the sum of squared changes of the sectors at cut vertices. A parametrization that is
+exactly seamless already stays as it is. Otherwise, corners without constraints keep their bits,
+unless a face would lose its orientation. (If corners in one place differ in the signs of their
+zeros, these may change.) The function verifies the result exactly before it writes it; on failure
+nothing changes.
 
-Charts may be arranged in any way; cuts, rotations, and singular vertices are read off the
-coordinates (see `seam_transitions()`) unless they are given. The mesh may have any number of
-components of any genus, with or without border.
+Faces of positive orientation keep it if an exactly seamless parametrization near by allows this.
+Orientations are decided exactly. If a face turns over, the function moves one of its vertices, with
+all its sectors, into the kernel of its 1-ring. If this is not possible, it searches for the closest
+exact solution that keeps the face. `Snapping_report` counts such faces, and lists the faces that
+the function could not save.
 
 The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 
@@ -77,18 +74,18 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tmesh the mesh. Points in space mean nothing to a map: they may coincide, and are read only
-       for a note on border edges that do.
-\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+\param tmesh the mesh. Its points in space may coincide; they are read only for a note on border
+       edges that coincide.
+\param uv_map the coordinates of each corner: halfedge `h` stands for the corner of `face(h)` at
        `target(h)`. Values of border halfedges are neither read nor written. Corners at one vertex
-       may share a place in memory where no cut runs between them; all others need their own.
+       may share a place in memory if no cut runs between them; all other corners need their own.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
         below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{edges that are to lie on isocurves, such as features: along each, the
-                          coordinate that changes less in the input is made constant}
+    \cgalParamDescription{edges that are to lie on isocurves, such as feature edges. Along each, the
+                          function makes the coordinate constant that changes less in the input.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
@@ -100,7 +97,7 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_cut_map}
-    \cgalParamDescription{the cut edges, where they are known. The corners along all other edges are
+    \cgalParamDescription{the cut edges, if you know them. The corners along all other edges are
                           merged.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
@@ -109,8 +106,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
   \cgalParamNEnd
   \cgalParamNBegin{halfedge_rotation_map}
     \cgalParamDescription{the number of counterclockwise turns by \f$ 360 / N \f$ degrees, quarter
-                          turns by default, of the transition across each halfedge, where it is
-                          known; modulo \f$ N \f$, and inverse for opposite halfedges}
+                          turns by default, of the transition across each halfedge, if you know
+                          it; modulo \f$ N \f$, and inverse for opposite halfedges}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
                    integer type as value type}
@@ -122,15 +119,14 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
                           lattice coordinates, see `Rotational_symmetry`.}
     \cgalParamType{`Rotational_symmetry<N>`}
     \cgalParamDefault{`Rotational_symmetry<4>()`}
-    \cgalParamExtra{A map that fits another symmetry is refused as `NOT_SEAMLESS`, and the message
-                    tells which.}
+    \cgalParamExtra{If the map fits another symmetry, the status is `NOT_SEAMLESS`, and the message
+                    names that symmetry.}
   \cgalParamNEnd
   \cgalParamNBegin{connection_constraints}
     \cgalParamDescription{pairs of corners that are to be connected by an isocurve}
     \cgalParamType{a range of `Connection_constraint<TriangleMesh>`}
     \cgalParamDefault{none}
-    \cgalParamExtra{`intercepted_connections()` tells which of these isocurves have something in
-                    their way.}
+    \cgalParamExtra{`intercepted_connections()` finds connections with a vertex in their way.}
   \cgalParamNEnd
   \cgalParamNBegin{cycle_constraints}
     \cgalParamDescription{isocurves that are to close}
@@ -140,8 +136,7 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
   \cgalParamNBegin{connection_tolerance}
     \cgalParamDescription{the largest distance by which the isocurve of a connection or a cycle may
                           miss its end before snapping, relative to the extent of the coordinates. A
-                          larger one is an error, since a path that is not meant would distort the
-                          map; raise it where the distance is meant.}
+                          larger distance is an error, because a wrong path would distort the map.}
     \cgalParamType{`double`}
     \cgalParamDefault{0.01}
   \cgalParamNEnd
@@ -158,41 +153,36 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{1e-4}
   \cgalParamNEnd
   \cgalParamNBegin{repair_flips}
-    \cgalParamDescription{whether faces that have negative or no orientation in the input are to
-                          become positive too, where this is possible near by and costs no other
-                          face its orientation. Then a parametrization that is seamless already may
-                          be changed as well.}
+    \cgalParamDescription{whether to make faces positive that are flipped or degenerate in the
+                          input, if this is possible near by and costs no other face its
+                          orientation. This may also change a parametrization that is seamless
+                          already.}
     \cgalParamType{Boolean, or `Flip_repair`}
     \cgalParamDefault{`false`}
-    \cgalParamExtra{With `Flip_repair::UNTANGLE`, what remains is untangled under all constraints:
-                    there is no bound on how far vertices move, `Snapping_report::largest_change`
-                    tells how far they did. It needs rotations by multiples of 90 degrees, takes
-                    seconds rather than milliseconds, and is not guaranteed to succeed. The
-                    status is `FLIPS_REMAIN` where faces are left that are not positive.}
+    \cgalParamExtra{With `Flip_repair::UNTANGLE`, the function untangles the remaining faces under
+                    all constraints. Vertices may move any distance, which
+                    `Snapping_report::largest_change` tells. Untangling needs rotations by multiples
+                    of 90 degrees, takes seconds, and is not guaranteed to succeed. If faces stay
+                    flipped, the status is `FLIPS_REMAIN`.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_untangling_iterations}
-    \cgalParamDescription{the largest number of iterations over all faces that the search for
-                          repairs takes: of Newton's method, where it untangles; quadratic programs
-                          take 250 multiplications each for an iteration and a face, as for 1000
-                          faces at least. With 0, only single vertices move. Without
-                          `repair_flips` and `integer_grid`, it is an error of compilation.}
+    \cgalParamDescription{bounds the work of repairs: the largest number of Newton iterations over
+                          all faces. Quadratic programs count as iterations, too. With 0, only
+                          single vertices move. Without `repair_flips` and `integer_grid`, this
+                          parameter does not compile.}
     \cgalParamType{`unsigned int`}
-    \cgalParamDefault{400; of what has been repaired, the most that was needed is told at
-                      `Flip_repair`}
+    \cgalParamDefault{400}
+    \cgalParamExtra{`Flip_repair` says how many iterations were needed in tests.}
   \cgalParamNEnd
   \cgalParamNBegin{integer_grid}
-    \cgalParamDescription{whether to make an integer-grid map: translations of cuts, cones, and the
-                          levels of aligned edges become integers, the nearest ones up to what they
-                          have to agree on. Where they are farther away than noise would be, the
-                          change is spread over the surface, and there are up to three further
-                          choices: charts are moved to where integers may be nearer, as where they
-                          lie means nothing, but not with corner constraints or a rounding tolerance
-                          of 0; and, in either place, integers are chosen one after another, a
-                          quarter of those that are left at a time, the nearest first, with all
-                          vertices following. What turns over the fewest faces is taken, and of that
-                          what changes edges least: not always the nearest integers. See
-                          `extract_quad_mesh()`. With \f$ N = 3, 6 \f$, these are points and lines
-                          of the triangular lattice.}
+    \cgalParamDescription{whether to make an integer-grid map: translations, cones, and the constant
+                          coordinates of aligned edges become integers that agree with each other;
+                          with \f$ N = 3, 6 \f$, points and lines of the triangular lattice. If the
+                          nearest integers are farther away than noise, the function also tries
+                          integers one after another, with all vertices following, and other places
+                          of the charts (but not with corner constraints, or a rounding tolerance of
+                          0). It takes the result with the fewest faces turned over, and among such
+                          results the one that changes edges least.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -202,14 +192,14 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{rounding_tolerance}
-    \cgalParamDescription{the largest distance of a translation, a cone, or a level from the integer
-                          that it becomes. A larger one is an error, since the map is not meant to
-                          be an integer-grid map then; raise it, to 10 for instance, where it is.
-                          Without `integer_grid`, it is an error of compilation.}
+    \cgalParamDescription{the largest distance of a translation, a cone, or an aligned edge from its
+                          integer. A larger distance is an error, because the map is then probably
+                          not meant to be an integer-grid map. If it is, pass for example 10.
+                          Without `integer_grid`, this parameter does not compile.}
     \cgalParamType{`double`}
     \cgalParamDefault{0.01}
-    \cgalParamExtra{Large roundings may turn faces: `Snapping_report::lost_faces` tells. The end of
-                    a slit moves along its line as far as it has to.}
+    \cgalParamExtra{Large roundings may turn faces over: see `Snapping_report::lost_faces`. The end
+                    of a slit moves along its line as far as necessary.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
     \cgalParamDescription{a property map associating to each vertex of `tmesh` a unique index
@@ -226,17 +216,17 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{`false`; not read with a `visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is called with a line of text after each step, and about each second of
-                          long ones, in the calling thread. What it throws ends the work, and passes
-                          on to the caller; the map is untouched then.}
-    \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
-    \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
+    \cgalParamDescription{receives the progress as lines of text, in the calling thread. An
+                          exception that it throws ends the function and passes on to the caller;
+                          the map is untouched then.}
+    \cgalParamType{a model of `ProgressVisitor`, or `std::ref()` of one}
+    \cgalParamDefault{with `verbose`, a visitor that writes to `std::cerr`; else none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the status and figures; converts to `true` if and only if the parametrization is exactly
-        seamless and aligned, also where faces are left flipped, which the status `FLIPS_REMAIN`
-        tells if `repair_flips` asked for them. On failure, `Snapping_report::status` is
+\return the status and figures. The report converts to `true` if and only if the parametrization is
+        exactly seamless and aligned. If `repair_flips` was passed and faces stay flipped, the
+        status is `FLIPS_REMAIN`, which converts to `true`. On failure, `Snapping_report::status` is
         - `NOT_TRIANGULAR`: a face has more or less than three corners;
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
         - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
@@ -250,23 +240,20 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `INVALID_ARGUMENT`: the mesh has no face, a path is not connected or crosses the border,
           a corner has no face, a tolerance is negative, the scale is not positive, or the given
           indices of vertices are not unique or out of range;
-        - `INCONSISTENT`: the constraints contradict each other; the message names which;
-        - `NOT_REPRESENTABLE`: the number type holds no solution near by: of corner constraints
-          whose right-hand sides are not zero; or because coordinates would exceed the largest
-          number, as can happen with `float`s close to it; or, with `integer_grid`, because a
-          coordinate is beyond \f$ 2^{46} \f$;
+        - `INCONSISTENT`: the constraints contradict each other; the message names them;
+        - `NOT_REPRESENTABLE`: the number type holds no solution near by. This can happen if a
+          corner constraint has a right-hand side other than 0, if coordinates would exceed the
+          largest number, or, with `integer_grid`, if a coordinate is beyond \f$ 2^{46} \f$;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
-        - `INTERNAL_ERROR`: the result failed its verification; or a `uv_map` does not keep what is
-          written to it, as one that stores `float`s in place of `double`s. The old coordinates have
-          been written back then; whether such a map returns them is not looked at.
+        - `INTERNAL_ERROR`: the result failed its verification, or `uv_map` does not keep the values
+          that the function writes (for example, because it stores `float`s). The function has then
+          written the old coordinates back.
         .
         The message names the place and the remedy.
 
 \par Complexity
-Linear in the number of faces, with a constant of a few passes over the edges; in addition sparse
-elimination of a system whose size is the number of nodes and branches of the cuts. Orientations
-take a pass over the faces at cut vertices; only faces that are thinner than their vertices move are
-looked at exactly.
+Linear in the number of faces, with a constant of a few passes over the edges. In addition, sparse
+elimination of a system whose size is the number of nodes and branches of the cuts.
 
 \sa `is_seamless()`
 \sa `seam_transitions()`
@@ -314,9 +301,9 @@ void convert_coordinates(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 /*!
 \ingroup PkgSeamlessSnappingSymmetry
 
-converts a parametrization from Cartesian coordinates \f$ (x, y) \f$ to lattice coordinates, those
-of \f$ N = 3, 6 \f$: \f$ (x - y / \sqrt 3, 2 y / \sqrt 3) \f$, rounded. Orientations stay, but for
-those of faces that are nearly degenerate. Corners with the same coordinates keep the same.
+converts a parametrization from Cartesian coordinates \f$ (x, y) \f$ to the lattice coordinates of
+\f$ N = 3, 6 \f$, which are \f$ (x - y / \sqrt 3, 2 y / \sqrt 3) \f$, rounded. Faces that are not
+nearly degenerate keep their orientation. Corners with equal coordinates get equal coordinates.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`,
@@ -342,9 +329,9 @@ void convert_to_lattice_coordinates(const TriangleMesh& tmesh, HalfedgeUVMap uv_
 /*!
 \ingroup PkgSeamlessSnappingSymmetry
 
-converts a parametrization from lattice coordinates \f$ (a, b) \f$ to Cartesian ones:
-\f$ (a + b / 2, b \sqrt 3 / 2) \f$, rounded. What is exactly seamless in lattice coordinates is not,
-in general, in these: convert for pictures and measurements, not to go on from there.
+converts a parametrization from lattice coordinates \f$ (a, b) \f$ to the Cartesian coordinates
+\f$ (a + b / 2, b \sqrt 3 / 2) \f$, rounded. The result is not exactly seamless in general. Convert
+for pictures and measurements only.
 
 Parameters and complexity are those of `convert_to_lattice_coordinates()`.
 

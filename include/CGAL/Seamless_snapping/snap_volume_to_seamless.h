@@ -42,34 +42,25 @@ namespace Seamless_snapping {
 moves an approximately seamless parametrization of a tetrahedral mesh to a nearby one that is
 exactly seamless, as hexahedral meshing needs it.
 
-Each cell has coordinates \f$ u, v, w \f$ at each of its corners. After success, in exact
-arithmetic, for each interior facet there is one of the 24 rotations of the cube \f$ R \f$ such that
+Each cell has coordinates \f$ u, v, w \f$ at each of its corners. After success, for each interior
+facet there is one of the 24 rotations of the cube \f$ R \f$ such that
 \f[ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f]
-for any two of its vertices \f$ a, b \f$, where \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the
-coordinates in the charts of the two cells; across facets with the identity as transition, both
-sides have the same coordinates to the bit. On each facet of the boundary, and on each feature
+holds in exact arithmetic for any two of its vertices \f$ a, b \f$. Here \f$ \mathbf{u} \f$ and
+\f$ \mathbf{u}' \f$ are the coordinates in the charts of the two cells. If the transition is the
+identity, both sides have the same coordinates, bit for bit. On each boundary facet and each feature
 facet, one coordinate is constant; along each feature edge, two are. All coordinates remain ordinary
 floating point numbers.
 
+The mesh may have any number of components of any topology, with or without boundary. Components may
+touch along edges and at vertices. Charts may be arranged in any way. The function reads cuts,
+rotations, singular curves, and alignments off the coordinates. If several rotations fit a thin
+facet equally well, the facets around its edges decide.
+
 The result approximates the least-squares optimum: the exact parametrization that minimizes the sum
-of squared changes of the sectors, which are the classes of corners at a vertex between whose cells
-no cut runs. Where there are more than 32 charts beside those of the components, as where each
-hexahedron has its own, they are joined for that: the result comes close to the optimum. Corners at
-vertices that no constraint concerns keep their bits, unless the orientation of a cell requires
-otherwise. A parametrization that is exactly seamless already is not touched at
-all. The result is verified exactly, facet by facet, before the function reports success; on failure
-nothing has changed.
-
-Cells keep their orientation where a move of one of their vertices allows it, alone and with all its
-sectors; vertices of more than 2,000 cells are not tried. Cells that have negative or no orientation
-in the input are accepted. `Snapping_report::lost_faces` lists the cells that had the orientation of
-most cells, and lost it.
-
-Cuts, rotations, singular curves, and the coordinate that is constant on a facet are read off the
-coordinates. Where a facet is so thin that several rotations fit as well as the inaccuracy near by
-allows, those around its edges decide. Charts may be arranged in any way; the mesh may have any
-number of components of any topology, with or without boundary, and components may touch along edges
-and at vertices.
+of squared changes of the sectors (see \ref SSnappingVolumesMethod). A parametrization that is exact
+already stays as it is. Otherwise, corners at vertices without constraints keep their bits, unless a
+cell would lose its orientation. The function verifies the result exactly before it writes it; on
+failure nothing changes.
 
 \tparam TetrahedronRange a range with a member function `size()`, whose elements are ranges of 4
         vertex indices, also with `size()`: `std::vector<std::array<int, 4> >`, for instance
@@ -79,11 +70,9 @@ and at vertices.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tetrahedra the cells: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices, in either
-       orientation. Where cells that are connected by facets are listed in different ones, that of
-       most of them is meant, or that of the first if neither is in the majority; where they have no
-       common orientation, as in a ring that is glued like a Moebius strip, each keeps its own.
-\param uvw_map the coordinates of each corner: that of key `4 * i + k` belongs to vertex `k` of cell
-       `i`
+       orientation. The orientation of most cells of a component counts, or that of the first cell
+       if there is no majority. If a component is not orientable, each cell keeps its own.
+\param uvw_map the coordinates of each corner: key `4 * i + k` is vertex `k` of cell `i`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
         below
 
@@ -95,23 +84,23 @@ and at vertices.
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{feature_facets}
-    \cgalParamDescription{further facets that are to lie in planes of a constant coordinate: in
-                          each, the coordinate that changes least in the input is made constant}
+    \cgalParamDescription{further facets that are to lie in planes of a constant coordinate. In
+                          each, the function makes the coordinate constant that changes least.}
     \cgalParamType{a range of ranges of 3 vertex indices}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{feature_edges}
-    \cgalParamDescription{edges along which two coordinates are to be constant: those that change
-                          less in the input}
+    \cgalParamDescription{edges along which two coordinates are to be constant, the two that change
+                          least in the input}
     \cgalParamType{a range of ranges of 2 vertex indices}
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{cell_neighbors}
     \cgalParamDescription{for each cell, the 4 cells on the other sides of the facets opposite to
-                          its vertices, or negative numbers where there is none; saves searching
-                          them. Whether cells name each other is checked, and whether both list
-                          their vertices in the same orientation, as all have to with this
-                          parameter. Pass `std::cref(neighbors)` to save copies of them, too.}
+                          its vertices, or a negative number if there is none. This saves a search.
+                          All cells must then list their vertices in the same orientation. The
+                          function checks this, and that neighbors name each other. Pass
+                          `std::cref(neighbors)` to avoid a copy.}
     \cgalParamType{a range of ranges of 4 integers, each with a member function `size()`}
     \cgalParamDefault{found by common vertices}
   \cgalParamNEnd
@@ -123,13 +112,12 @@ and at vertices.
     \cgalParamDefault{1e-4}
   \cgalParamNEnd
   \cgalParamNBegin{integer_grid}
-    \cgalParamDescription{whether to make an integer-grid map: translations, the levels of aligned
-                          facets and edges, and the coordinates across singular edges become
-                          integers, the nearest ones up to what they have to agree on. Where they
-                          are farther away than noise would be, charts are moved if that makes the
-                          change of edges less, as where charts lie means nothing; but not with a
-                          rounding tolerance of 0. Then the change is spread over the volume, and
-                          cells that it turned are repaired near by.}
+    \cgalParamDescription{whether to make an integer-grid map: translations, the constant
+                          coordinates of aligned facets and edges, and the coordinates across
+                          singular edges become integers that agree with each other. If the nearest
+                          integers are farther away than noise, the function moves charts if that
+                          changes edges less (not with a rounding tolerance of 0), spreads the
+                          change over the volume, and repairs cells that turned over.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -139,32 +127,32 @@ and at vertices.
     \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{rounding_tolerance}
-    \cgalParamDescription{the largest distance of a translation or a level from the integer that it
-                          becomes. A larger one is an error, since the map is not meant to be an
-                          integer-grid map then; raise it, to 10 for instance, where it is. Given
-                          without `integer_grid`, it is an error of compilation.}
+    \cgalParamDescription{the largest distance of a translation or a constant coordinate from its
+                          integer. A larger distance is an error, because the map is then probably
+                          not meant to be an integer-grid map. If it is, pass for example 10.
+                          Without `integer_grid`, this parameter does not compile.}
     \cgalParamType{`double`}
     \cgalParamDefault{0.01}
-    \cgalParamExtra{Integers are the nearest ones, not the best ones: on a coarse grid, what is
-                    narrower than a unit collapses. Cells lose their orientation there, which
-                    `Snapping_report::lost_faces` tells.}
+    \cgalParamExtra{The integers are the nearest, not the best. On a coarse grid, parts that are
+                    narrower than a unit collapse, and their cells lose their orientation: see
+                    `Snapping_report::lost_faces`.}
   \cgalParamNEnd
   \cgalParamNBegin{repair_flips}
-    \cgalParamDescription{whether cells that are flipped or degenerate, in the input or by snapping,
-                          are made as most cells are, by moves of their vertices that keep
-                          transitions, alignments, and integers. `Flip_repair::NEAR_BY`, or `true`:
-                          single vertices of these cells and of their neighbors move, and no cell
-                          loses its orientation on the way. `Flip_repair::UNTANGLE`: where flips
-                          remain, more and more vertices around them move.}
+    \cgalParamDescription{whether to give flipped and degenerate cells the orientation of most
+                          cells. Their vertices move; transitions, alignments, and integers stay.
+                          `Flip_repair::NEAR_BY`, or `true`, moves single vertices of these cells
+                          and of their neighbors, and no cell loses its orientation on the way.
+                          `Flip_repair::UNTANGLE` also moves more and more vertices around the
+                          remaining flips.}
     \cgalParamType{`Flip_repair` or Boolean}
     \cgalParamDefault{`Flip_repair::NONE`}
-    \cgalParamExtra{Cells that have the orientation of most cells never lose it by repairs. Where
-                    flips remain, the status is `Outcome::FLIPS_REMAIN`.}
+    \cgalParamExtra{Repairs never cost a cell its orientation. If flips remain, the status is
+                    `Outcome::FLIPS_REMAIN`.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_untangling_iterations}
-    \cgalParamDescription{the largest number of passes that repairs make over the vertices around
-                          cells to be repaired. Given without `repair_flips` or `integer_grid`, it
-                          is an error of compilation.}
+    \cgalParamDescription{bounds the work of repairs: the largest number of passes over the vertices
+                          around the cells. Without `repair_flips` and `integer_grid`, this
+                          parameter does not compile.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{400}
   \cgalParamNEnd
@@ -174,26 +162,26 @@ and at vertices.
     \cgalParamDefault{`false`; not read with a `visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is called with a line of text after each step, and about each second of
-                          long ones, in the calling thread. What it throws ends the work, and passes
-                          on to the caller; the map is untouched then.}
-    \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
-    \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
+    \cgalParamDescription{receives the progress as lines of text, in the calling thread. An
+                          exception that it throws ends the function and passes on to the caller;
+                          the map is untouched then.}
+    \cgalParamType{a model of `ProgressVisitor`, or `std::ref()` of one}
+    \cgalParamDefault{with `verbose`, a visitor that writes to `std::cerr`; else none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the status and figures; converts to `true` if and only if the parametrization is exactly
-        seamless and aligned, also where cells are left flipped, which the status `FLIPS_REMAIN`
-        tells if `repair_flips` asked for them. Where `Snapping_report` speaks of faces and edges,
-        these are cells and facets here, nodes are the vertices that enter the constraint system,
-        and branches are the sheets of cut facets and the levels of aligned ones. On failure,
+\return the status and figures. The report converts to `true` if and only if the parametrization is
+        exactly seamless and aligned. If `repair_flips` was passed and cells stay flipped, the
+        status is `FLIPS_REMAIN`, which converts to `true`. For volumes, the faces and edges of
+        `Snapping_report` are cells and facets, nodes are the vertices in the constraint system, and
+        branches are sheets of cut facets and levels of aligned facets. On failure,
         `Snapping_report::status` is
         - `NOT_MANIFOLD`: a facet belongs to more than two cells, or two cells have the same
           vertices and no neighbors were given;
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
         - `NOT_SEAMLESS`: no rotation fits the two sides of a facet up to the tolerance; or an exact
           map would differ from the input by more than ten times its inaccuracy (or a tenth of the
-          tolerance, if that is more), so that some part of it must be a mistake;
+          tolerance, if that is more), which is a sign of a wrong rotation;
         - `NOT_ALIGNED`: no coordinate is constant on a facet of the boundary, or on a feature, up
           to the tolerance;
         - `NOT_INTEGER`: a rounding to an integer-grid map is larger than the tolerance; or a
@@ -203,8 +191,8 @@ and at vertices.
           twice or not 4 of them, a feature is no facet or edge of a cell, the neighbors don't fit
           the cells or are listed in different orientations, a tolerance is negative, or the scale
           is not positive;
-        - `NOT_REPRESENTABLE`: coordinates would exceed the largest number, as can happen with
-          `float`s close to it; or, with `integer_grid`, a coordinate is beyond \f$ 2^{46} \f$, or
+        - `NOT_REPRESENTABLE`: coordinates would exceed the largest number; or, with `integer_grid`,
+          a coordinate is beyond \f$ 2^{46} \f$, or
           \f$ 2^{17} \f$ for `float`s;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `INTERNAL_ERROR`: the result failed its verification; or `uvw_map` does not keep what is
@@ -212,20 +200,24 @@ and at vertices.
         .
         The message names the place and the remedy.
 
-\par Complexity
-Linear in the number of cells, with a constant of a few passes over the facets; in addition sparse
-elimination of a system whose size is that of the cuts' topology: three unknowns for each sector of
-a place, where a place stands for all vertices at which the same sheets and levels meet in the same
-way. Where each hexahedron or each cell has a chart of its own, charts are joined first, so that
-this holds as well: in linear time, and at most 500 passes over the corners to fit the charts to
-each other. With `integer_grid` and `repair_flips`, all cells are copied; spreading takes at most
-2000 iterations of conjugate gradients over them, twice, and repairs the passes that
-`number_of_untangling_iterations` allows.
+\par Orientation
+Cells keep their orientation if a move of one of their vertices allows it. Vertices of more than
+2,000 cells do not move for this. `Snapping_report::lost_faces` lists the cells that had the
+orientation of most cells, and lost it. Cells may be flipped or degenerate in the input.
+`repair_flips` decreases the energy of Garanzha et al. \cgalCite{cgal:gkkprs-ffm-21}, vertex by
+vertex.
 
-\par Sources
-The energy that repairs make less is that of V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais,
-N. Ray, and D. Sokolov, <em>Foldover-free maps in 50 lines of code</em>, ACM Transactions on
-Graphics 40(4), 2021, vertex by vertex.
+\par Charts
+If there are more than 32 charts beside the first ones of the components, for example one for each
+hexahedron, the function joins them to keep the system small. The result then only comes close to
+the least-squares optimum.
+
+\par Complexity
+Linear in the number of cells, with a constant of a few passes over the facets. In addition, sparse
+elimination of a system whose size depends on the topology of the cuts only: three unknowns for each
+sector of a place (a place stands for all vertices at which the same sheets and levels meet in the
+same way). With `integer_grid` and `repair_flips`, the function copies all cells. All iterations are
+bounded.
 
 \sa `is_volume_integer_grid_map()`
 \sa `is_volume_seamless()`
@@ -246,9 +238,8 @@ snap_volume_to_seamless(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-The cells of a triangulation as the ranges that `snap_volume_to_seamless()` takes, and the handles
-that tell which number is which cell or vertex. A map of corners has the key `4 * i + k` for
-`cells[i]->vertex(k)`.
+The cells of a triangulation as the ranges that `snap_volume_to_seamless()` takes, and the handle of
+each cell and vertex. Key `4 * i + k` of a map of corners is `cells[i]->vertex(k)`.
 
 \tparam Triangulation_ a model of `TriangulationDataStructure_3`, or a class derived from
         `CGAL::Triangulation_3`

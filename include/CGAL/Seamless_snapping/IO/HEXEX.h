@@ -39,8 +39,8 @@ namespace IO {
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-A tetrahedral mesh with coordinates per corner, as a file in the HEXEX format holds it: what
-hexahedral meshing exchanges.
+A tetrahedral mesh with coordinates per corner, as in a file of the HEXEX format. Programs for
+hexahedral meshing exchange such files.
 
 \code{.cpp}
 CGAL::Seamless_snapping::IO::HEXEX_mesh mesh;
@@ -49,7 +49,7 @@ const auto status = CGAL::Seamless_snapping::IO::read_HEXEX("hand.hexex", mesh);
 */
 struct HEXEX_mesh
 {
-  std::vector<std::array<double, 3> > points; ///< of the vertices
+  std::vector<std::array<double, 3> > points; ///< the point of each vertex
   std::vector<std::array<std::int32_t, 4> > tetrahedra; ///< the vertices of each cell
   /// the coordinates of corner \f$ k \f$ of cell \f$ i \f$, at \f$ 4 i + k \f$
   std::vector<std::array<double, 3> > uvw;
@@ -57,12 +57,12 @@ struct HEXEX_mesh
   std::vector<std::array<std::int32_t, 2> > feature_edges;  ///< if the file has features
   std::vector<std::array<std::int32_t, 3> > feature_facets; ///< if the file has features
   /*!
-  The number of coordinates that are fractions in the file which no `double` holds. They were
-  rounded to the nearest `double`s, so that a map that is exactly seamless in the file need not be
-  so here.
+  The number of coordinates that are fractions in the file and not representable as `double`s. They
+  were rounded to the nearest `double`s. A map that is exactly seamless in the file need not be
+  exactly seamless here.
   */
   std::size_t number_of_rounded_coordinates = 0;
-  /// the line where something begins that is neither walls nor features, and was not read; else 0
+  /// the line of the first entry that is neither a wall nor a feature, and was skipped; else 0
   std::size_t unknown_line = 0;
 };
 
@@ -111,7 +111,7 @@ inline std::string text_of_mesh(const IO::HEXEX_mesh& mesh)
   return text;
 }
 
-// The text with other coordinates. Those that stay keep their digits.
+// The text with other coordinates. Coordinates that do not change keep their digits.
 inline std::string rewritten_HEXEX(const std::string& original,
                                    const std::vector<std::array<double, 3> >& uvw)
 {
@@ -141,20 +141,22 @@ namespace IO {
 \brief reads a tetrahedral mesh with coordinates per corner from a stream or a file in the HEXEX
 format.
 
-The file holds words that blanks and line ends separate: the number of vertices and three
-coordinates for each; the number of cells and for each four vertices, which count from 0, and twelve
-numbers \f$ u, v, w \f$ corner by corner. Numbers may be fractions `p/q` of integers. Then there may
-be the number of walls alone in a line, followed by three vertices and a distance for each, which
-are not kept; and a line with the numbers of feature vertices, feature edges, and feature facets,
-followed by their vertices.
+The file consists of words, separated by blanks and line ends:
+-# the number of vertices, and three coordinates for each;
+-# the number of cells, and for each four vertices, which count from 0, and twelve numbers
+   \f$ u, v, w \f$, corner by corner;
+-# optionally the number of walls, alone in a line, and for each three vertices and a distance,
+   which are not kept;
+-# optionally a line with the numbers of feature vertices, feature edges, and feature facets,
+   followed by their vertices. . Numbers may be fractions `p/q` of integers.
 
 \tparam Source a class derived from `std::istream`, or one that converts to `std::string`
 
 \param source the input stream, or the name of the file
-\param mesh receives the content; as it was if the function fails
+\param mesh receives the content; stays as it was if the function fails
 
-\returns an object that converts to `true` if the mesh was read, and that holds the reason and the
-         line otherwise
+\returns a status that converts to `true` if the mesh was read; otherwise it holds the reason and
+         the line
 
 \par Complexity
 Linear in the size of the file.
@@ -172,16 +174,16 @@ File_status read_HEXEX(Source&& source, HEXEX_mesh& mesh)
 \ingroup PkgSeamlessSnappingIO
 
 \brief writes a tetrahedral mesh with coordinates per corner to a stream or a file in the HEXEX
-format, with as many digits as it takes to read the numbers back bit for bit.
+format. The numbers read back bit for bit.
 
 \tparam Target a class derived from `std::ostream`, or one that converts to `std::string`
 
 \param output the output stream, or the name of the file
 \param mesh the mesh
 
-\returns an object that converts to `true` if the mesh was written, and that holds the reason
-         otherwise: there are not four coordinates per cell, a number is not finite, or the file
-         cannot be written
+\returns a status that converts to `true` if the mesh was written; otherwise it holds the reason:
+         there are not four coordinates per cell, a number is not finite, or the file cannot be
+         written
 
 \pre the vertices of all cells and features exist
 
@@ -199,17 +201,18 @@ File_status write_HEXEX(Target&& output, const HEXEX_mesh& mesh)
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-\brief copies a file in the HEXEX format with other coordinates, and all else as it is: walls,
-features, and whatever follows. Fractions that no `double` holds become the decimal numbers that
-were read.
+\brief copies a file in the HEXEX format with other coordinates.
+
+The rest of the file stays as it is: walls, features, and any further content. Fractions that are
+not representable as `double`s become the decimal numbers that were read.
 
 \param original a stream with the file that `uvw` was read from
 \param os receives the copy
 \param uvw the coordinates of each corner
 
-\return an object that converts to `true` if the copy was written, and that holds the reason
-        otherwise: the original is malformed, there are not as many coordinates as it has corners,
-        or one is not finite. Then nothing is written.
+\return a status that converts to `true` if the copy was written; otherwise it holds the reason: the
+        original is malformed, the number of coordinates is not its number of corners, or a
+        coordinate is not finite. Then nothing is written.
 
 \par Complexity
 Linear in the size of the file.

@@ -66,19 +66,19 @@ namespace IO {
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-The text of a file with coordinates per corner, in the format OBJ or PLY: for programs that read a
-mesh, change its coordinates, and write the file again. It is parsed once, where `read_OBJ()` and
-`rewrite_OBJ()` parse the file twice; the vertices know their numbers in the file; and what is to be
-written can be compared with the mesh before it is.
+The text of a file with coordinates per corner, in the format OBJ or PLY, for programs that read a
+mesh, change its coordinates, and write the file again. The text is parsed once, while `read_OBJ()`
+and `rewrite_OBJ()` parse the file twice. The class also knows the number of each vertex in the
+file, and can compare a text with a mesh.
 */
 class Mesh_text
 {
   using Soup = internal::Corner_soup<double, double>;
 
 public:
-  Mesh_text() = default; ///< of no file
+  Mesh_text() = default; ///< creates an empty text
 
-  /// takes a text in a format: `"obj"` or `"ply"`; if it is another one, the text tells it.
+  /// takes a text in the format `"obj"` or `"ply"`; by default, the text tells its format.
   explicit Mesh_text(std::string text, const std::string& format = std::string())
     : m_text(std::move(text)),
       m_is_ply(format == "ply" || (format != "obj" && m_text.compare(0, 3, "ply") == 0))
@@ -86,17 +86,17 @@ public:
 
   /// returns the text as it was given.
   const std::string& text() const & { return m_text; }
-  std::string text() && { return std::move(m_text); } ///< the same, without a copy
+  std::string text() && { return std::move(m_text); } ///< returns the text without a copy.
 
   /// returns the format: `"obj"` or `"ply"`.
   std::string format() const { return m_is_ply ? "ply" : "obj"; }
 
   /*!
-  adds the mesh to another one, as `read_OBJ()` and `read_PLY()` do. Parameters, named parameters,
-  and result are those of `read_OBJ()`.
+  reads the mesh and adds it to `tmesh`, as `read_OBJ()` and `read_PLY()` do. Parameters, named
+  parameters, and return value are as for `read_OBJ()`.
 
-  \tparam UVNumber the type that coordinates are rounded to: `double`, or `float` to read what
-          programs see that hold coordinates as these
+  \tparam UVNumber the type that coordinates are rounded to: `double`, or `float` to read the
+          numbers of programs that store `float`s
 
   \par Complexity
   That of `read_OBJ()`.
@@ -117,20 +117,20 @@ public:
     });
   }
 
-  /// returns for each vertex that `read()` has added the number of its point in the text, from 0.
+  /// returns for each vertex that `read()` added the number of its point in the text, from 0.
   const std::vector<std::size_t>& vertex_numbers() const { return m_vertex_numbers; }
 
   /*!
-  writes the text with other coordinates to `result`, as `rewrite_OBJ()` and `rewrite_PLY()` do.
-  Where `read()` has welded the mesh, the faces share the vertices that became one.
+  writes the text with other coordinates to `result`, as `rewrite_OBJ()` and `rewrite_PLY()` do. If
+  `read()` joined vertices, the faces share them.
 
   \param result receives the new text
-  \param tmesh the mesh that `read()` has made, of an empty one
+  \param tmesh the mesh that `read()` made from an empty mesh
   \param uv_map the coordinates of each corner
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
          of `rewrite_OBJ()`
 
-  \return what `rewrite_OBJ()` returns
+  \return the status, as for `rewrite_OBJ()`
 
   \par Complexity
   Linear in the size of the text, as long as each vertex has few different coordinates.
@@ -150,9 +150,9 @@ public:
   }
 
   /*!
-  calls `function(words)` for each statement of a text in the format OBJ, in their order, for what
-  `read()` leaves out, such as groups and materials. `words` is a `std::vector<std::string>` that
-  starts with the keyword.
+  calls `function(words)` for each statement of a text in the format OBJ, in order. It gives access
+  to statements that `read()` skips, such as groups and materials. `words` is a
+  `std::vector<std::string>` that starts with the keyword.
 
   \par Complexity
   Linear in the size of the text.
@@ -170,8 +170,9 @@ public:
   }
 
   /*!
-  returns whether the text has exactly the faces of a mesh, in its order: vertices, points, and, to
-  the bit, coordinates; and, if `edge_is_constrained_map` is given, its features.
+  returns whether the text has exactly the faces of a mesh, in its order, with the same vertices,
+  points, and coordinates, bit for bit. If `edge_is_constrained_map` is given, the features must be
+  the same, too.
 
   \tparam UVNumber as for `read()`
 
@@ -182,7 +183,7 @@ public:
          number of each vertex in the text, from 0
 
   \par Complexity
-  Linear in the size of the text, but for a logarithmic factor where features are sorted.
+  Linear in the size of the text, and \f$ O(n \log n) \f$ in the number of features.
   */
   template <typename UVNumber = double, typename TriangleMesh, typename HalfedgeUVMap,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -265,7 +266,7 @@ private:
   std::string m_text;
   bool m_is_ply = false;
   bool m_is_welded = false;
-  std::optional<Soup> m_soup; // of the last `read()`, unless it read floats
+  std::optional<Soup> m_soup; // the soup of the last `read()`, unless it read floats
   std::vector<std::size_t> m_vertex_numbers;
 };
 

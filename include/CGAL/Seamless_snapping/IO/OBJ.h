@@ -37,40 +37,25 @@ namespace IO {
 
 \brief reads a triangle mesh with coordinates per corner from a stream or a file in the OBJ format.
 
-The statements `v` (points), `vt` (coordinates), and `f` (triangles whose corners are `v/vt` or
-`v/vt/vn`) are read; `l` (polylines along edges of the mesh) are the feature edges. Other statements
-are skipped. The numbers become the nearest ones of the number types of `uv_map` and of the vertex
-point map, independent of the locale and of the rounding mode. The color of a point and the third
-coordinate of a texture are dropped; so are indices `vn`, and those `vt` of `l` elements, which only
-have to be integers other than 0.
+The function reads the statements `v` (points), `vt` (coordinates), `f` (triangles with corners
+`v/vt` or `v/vt/vn`), and `l` (polylines along edges of the mesh: the feature edges). It skips all
+others, and drops colors of points, third coordinates of textures, and normals. It adds the data to
+the content of `tmesh`, as other readers of \cgal do.
 
-The mesh is as in the file: vertices and faces come in its order (where `tmesh` has no removed
-elements, whose places new ones may take), `target(halfedge(f, tmesh), tmesh)` is the first corner
-of face `f`, vertices without faces are kept, no face is reversed. There is one exception: where the
-faces around a vertex form several fans, which no halfedge data structure can hold, the fan that
-comes first in the file keeps the vertex and each other fan gets a copy, after all other vertices.
+Vertices and faces keep the order of the file, and `target(halfedge(f, tmesh), tmesh)` is the first
+corner of face `f`. Vertices without faces are kept, and no face is reversed. There is one
+exception: if the faces around a vertex form several fans, each further fan gets a copy of the
+vertex, after all other vertices.
 
-Many programs write the mesh cut open along the seams, with vertices doubled: a vertex then has one
-pair of coordinates. Such seams are borders, and nothing makes them match, unless `weld_borders` is
-`true`: then two border edges between the same points (their numbers agree exactly) that run in
-opposite directions become one. The vertices at their ends become one too: the first of them in the
-file; the others get no vertex. Vertices that lie in one place without such an edge stay apart, as
-do three border edges or more between the same points, and two that run in the same direction: what
-belongs together is then unknown. The result counts the edges that were welded, and those that still
-coincide.
-
-A file is refused, with the line and the reason, if it has a statement of the above kinds that is
-malformed, a number that is not finite, an index out of range, a point with a weight other than 1,
-coordinates `vt` with one number only, a face that is no triangle, a corner without coordinates, an
-edge with more than two faces or with two faces that are not oriented
-consistently (before welding or after it), an `l` element that is no edge of the mesh (if
-`edge_is_constrained_map` is given), or no face at all. The mesh and the maps are then left as they
-were.
-
-The stream is left at its end. It may have been asked to throw exceptions: only one for `badbit` is
-thrown, if reading fails.
-
-As with other readers of \cgal, the data are added to what is in `tmesh`.
+If the file is refused, the mesh and the maps stay as they are, and the status says why, and in
+which line:
+- a statement of these kinds is malformed, or a number is not finite;
+- an index is out of range, or an `l` element is no edge of the mesh (only with
+  `edge_is_constrained_map`);
+- a point has a weight other than 1, or a `vt` has only one number;
+- a face is no triangle, or has a corner without coordinates;
+- an edge has more than two faces, or two faces that are not oriented consistently;
+- the file has no face.
 
 \tparam Source a class derived from `std::istream`, or one that converts to `std::string`
 \tparam TriangleMesh a model of `MutableFaceGraph`
@@ -86,11 +71,11 @@ As with other readers of \cgal, the data are added to what is in `tmesh`.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{receives for each new edge whether it is part of an `l` element}
+    \cgalParamDescription{receives `true` for each new edge that is part of an `l` element}
     \cgalParamType{a class model of `ReadWritePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
-    \cgalParamDefault{`l` elements are not looked at, except for their syntax}
+    \cgalParamDefault{only the syntax of `l` elements is checked}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{receives the points of the new vertices}
@@ -100,20 +85,33 @@ As with other readers of \cgal, the data are added to what is in `tmesh`.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{weld_borders}
-    \cgalParamDescription{whether border edges between the same points are made one, for meshes
-                          that were cut open along their seams}
+    \cgalParamDescription{whether to join border edges between the same points, for meshes that were
+                          cut open along their seams}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
+    \cgalParamExtra{Two border edges are joined if their points agree exactly and they run in
+                    opposite directions. Their vertices become one, the first of them in the file.
+                    Vertices that coincide without such an edge stay apart. So do three or more
+                    border edges between the same points, because it is not known which of them
+                    belong together. The status counts the edges that were joined, and the border
+                    edges that still coincide.}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns an object that converts to `true` if the mesh was read, and that holds the reason and the
-         line otherwise
+\returns a status that converts to `true` if the mesh was read; otherwise it holds the reason and
+         the line
+
+\par Numbers
+Numbers are rounded to the nearest number of the types of `uv_map` and of the vertex point map,
+independent of the locale and of the rounding mode.
+
+\par Streams
+The stream is left at its end. If it was asked to throw exceptions, only the exception for `badbit`
+is thrown, if reading fails.
 
 \par Complexity
-Linear in the size of the file where the degrees of vertices are bounded (for each face that is
-added, the faces around its vertices are visited), but for a logarithmic factor where edges, and
-with `weld_borders` points, are sorted. The whole text is held in memory.
+\f$ O(n \log n) \f$ in the size \f$ n \f$ of the file, if the degrees of vertices are bounded. The
+whole text is held in memory.
 */
 template <typename Source, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -128,11 +126,11 @@ File_status read_OBJ(Source&& source, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 
 \brief writes a triangle mesh with coordinates per corner to a stream or a file in the OBJ format.
 
-What is written reads back bit for bit: each number is the shortest decimal that, taken for a
-`double`, gives the number again; this holds for negative zero and subnormal numbers as well. A
-`float` is written as the `double` of the same value, so that it is the same number for readers of
-either type. Corners at a vertex share a `vt` statement if they agree bit for bit, corners at
-different vertices never do. The numbers are independent of the locale and of the rounding mode.
+Numbers read back bit for bit: each is the shortest decimal that, read as a `double`, gives the
+number again. This includes negative zero and subnormal numbers. A `float` is written as the
+`double` of the same value, so that readers of either type get the same number. The text does not
+depend on the locale or the rounding mode. Corners at a vertex share a `vt` statement if they agree
+bit for bit. Corners at different vertices never do.
 
 Vertices and faces are written in the order of `vertices(tmesh)` and `faces(tmesh)`, the corners of
 a face starting at `target(halfedge(f, tmesh), tmesh)`. If a coordinate is not finite, nothing is
@@ -143,8 +141,8 @@ written.
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param output the output stream, or the name of the file. If the status says that the file cannot be
-       written to, for example as there is no space left, it may hold a part of the text.
+\param output the output stream, or the name of the file. If writing fails, for example because the
+       disk is full, the file may hold a part of the text.
 \param tmesh the mesh
 \param uv_map the coordinates of the corner at the target of each halfedge that is not on the border
 \param comments text for the head of the file, of one or more lines; this argument can be left out
@@ -153,7 +151,7 @@ written.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{tells for each edge whether to write it as an `l` element}
+    \cgalParamDescription{the edges to be written as `l` elements}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
@@ -168,8 +166,7 @@ written.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns an object that converts to `true` if the mesh was written, and that holds the reason
-         otherwise
+\returns a status that converts to `true` if the mesh was written; otherwise it holds the reason
 
 \pre All faces are triangles.
 
@@ -192,14 +189,14 @@ File_status write_OBJ(Target&& output, const TriangleMesh& tmesh, HalfedgeUVMap 
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-\brief copies a file in the OBJ format with other texture coordinates, and all else as it is.
+\brief copies a file in the OBJ format with other texture coordinates.
 
-While `write_OBJ()` writes what the mesh holds, this function keeps the whole file to the byte:
-order, materials, groups, smoothing, normals, colors, polylines, comments, and the digits of
-numbers. Replaced are the numbers of `vt` statements that differ from those of the mesh, and, where
-corners that shared a statement have different coordinates now, the indices of `f` and `l`
-statements: further `vt` statements then follow the one that was shared. What is written reads back
-bit for bit, as with `write_OBJ()`.
+The function replaces the numbers of `vt` statements that differ from the coordinates of the mesh.
+If corners that shared a statement have different coordinates now, further `vt` statements follow,
+and the indices of `f` and `l` statements change. The rest of the file stays as it is, byte for
+byte: order, materials, groups, smoothing, normals, colors, polylines, comments, and the digits of
+numbers. `write_OBJ()`, by contrast, writes only the data of the mesh. The new numbers read back bit
+for bit.
 
 \tparam Source,Target as for `read_OBJ()` and `write_OBJ()`
 \tparam TriangleMesh a model of `FaceListGraph`
@@ -216,17 +213,17 @@ bit for bit, as with `write_OBJ()`.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{weld_borders}
-    \cgalParamDescription{whether the faces of the file that is written share the vertices that
-                          `read_OBJ()` makes one if asked to; the statements of the other vertices
-                          stay, but no face uses them}
+    \cgalParamDescription{whether faces of the new file share the vertices that `read_OBJ()` joins
+                          with this parameter. The statements of the other vertices stay, but no
+                          face uses them.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns an object that converts to `true` if the file was written, and that holds the reason
-         otherwise: the original cannot be read, the faces of the mesh are not those of the file, or
-         a coordinate is not finite. Then nothing is written.
+\returns a status that converts to `true` if the file was written; otherwise it holds the reason:
+         the original cannot be read, the mesh has other faces than the file, or a coordinate is not
+         finite. Then nothing is written.
 
 \par Complexity
 Linear in the size of the file, as long as each vertex has few different coordinates.

@@ -38,12 +38,12 @@ namespace IO {
 
 The file holds a list `texcoord` of six numbers for each face, as MeshLab writes it ("wedge" texture
 coordinates), in text or binary form. Elements `edge` with the properties `vertex1` and `vertex2`
-are the feature edges. All other elements and properties are skipped. A file with coordinates per
-vertex is refused: they can't tell the two sides of a seam apart.
+are the feature edges. The function skips all other elements and properties. It refuses a file with
+coordinates per vertex, because they cannot represent the two sides of a seam.
 
-All else is as with `read_OBJ()`: template parameters, parameters, named parameters, what it
-returns, the order of vertices and faces, what is refused; but messages name faces and vertices by
-their indices, which count from 0, and no lines.
+Template parameters, parameters, named parameters, return value, order, and refusals are as for
+`read_OBJ()`. Messages name faces and vertices by their indices, which count from 0, in place of
+lines.
 
 \par Complexity
 That of `read_OBJ()`.
@@ -62,8 +62,8 @@ File_status read_PLY(Source&& source, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 \brief writes a triangle mesh with coordinates per corner to a stream or a file in the binary PLY
 format.
 
-Numbers are `double`s, so that what is written reads back bit for bit. Template parameters,
-parameters, named parameters, and result are those of `write_OBJ()`.
+Numbers are `double`s, and read back bit for bit. Template parameters, parameters, named parameters,
+and return value are as for `write_OBJ()`.
 
 \pre All faces are triangles.
 
@@ -86,11 +86,12 @@ File_status write_PLY(Target&& output, const TriangleMesh& tmesh, HalfedgeUVMap 
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-\brief copies a file in the PLY format with other texture coordinates, and all else as it is.
+\brief copies a file in the PLY format with other texture coordinates.
 
-Replaced are the numbers of the lists `texcoord` that differ from those of the mesh, and the type of
-these lists if it is `float` and does not hold the numbers: then it becomes `double`. Template
-parameters, parameters, named parameters, and result are those of `rewrite_OBJ()`.
+The function replaces the numbers of the lists `texcoord` that differ from the coordinates of the
+mesh. If the lists have the type `float` and cannot represent the numbers, their type becomes
+`double`. The rest of the file stays as it is. Template parameters, parameters, named parameters,
+and return value are as for `rewrite_OBJ()`.
 
 \par Complexity
 Linear in the size of the file.

@@ -67,7 +67,7 @@ inline IO::Polygon_soup parse_polygons(const std::string_view text, const std::s
   return format == "off" ? parse_OFF(text) : parse_STL(text);
 }
 
-// Of the other formats that CGAL reads, which tells no reason.
+// Reads the other formats of CGAL, whose reader gives no reason.
 inline IO::Polygon_soup read_other_polygons(const std::string& filename)
 {
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
@@ -97,11 +97,11 @@ inline void check_polygons(const IO::Polygon_soup& soup)
         throw File_refusal(0, "face " + std::to_string(i) + " has a vertex that does not exist");
 }
 
-// What `parse()` returns, in which `format` is still missing.
+// Checks the result of `parse()`, and adds the format.
 template <typename Parse>
 IO::File_status read_checked(const Parse& parse, const std::string& format, IO::Polygon_soup& soup)
 {
-  const Protect_exact_arithmetic protect; // of the mode in which numbers are read
+  const Protect_exact_arithmetic protect; // sets the rounding mode for reading numbers
   return status_of_writing([&] {
     IO::Polygon_soup result = parse();
     check_polygons(result);
@@ -118,20 +118,20 @@ namespace IO {
 \ingroup PkgSeamlessSnappingIO
 
 reads a mesh without coordinates per corner from a stream, in the format OBJ, PLY, OFF, or STL.
-Faces may have any number of corners, and need not form a surface: what is to be repaired is left to
-the caller. Coordinates of textures and normals, colors, and all else that the file holds are
-skipped.
 
-A file is refused, with the line and the reason, if it is malformed, if it has a coordinate that is
-not a finite number or a face with a vertex that does not exist, and if it has no face.
+Faces may have any number of corners, and need not form a surface: the function repairs nothing. It
+skips texture coordinates, normals, colors, and all other data. It refuses a file, with the line and
+the reason, if the file is malformed, if a coordinate is not finite, if a face has a vertex that
+does not exist, or if there is no face.
 
 \param is the input stream; it is left at its end
-\param soup receives what is read; it is left as it was if the file is refused
-\param format `"obj"`, `"ply"`, `"off"`, or `"stl"`; else the text tells it by its first word, or
-       by its size, as binary STL files do
+\param soup receives the mesh; stays as it was if the file is refused
+\param format `"obj"`, `"ply"`, `"off"`, or `"stl"`. By default, the function recognizes the format
+by
+       the first word of the text, or by its size for binary STL files.
 
-\return an object that converts to `true` if the mesh was read, and that holds the reason and the
-        line otherwise
+\return a status that converts to `true` if the mesh was read; otherwise it holds the reason and the
+        line
 
 \par Complexity
 Linear in the size of the file.
@@ -153,13 +153,14 @@ inline File_status read_polygon_soup(std::istream& is, Polygon_soup& soup,
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-reads a mesh without coordinates per corner from the file of a name, whose suffix tells the format:
-those of the function that reads from a stream, or one of the others that
-`CGAL::IO::read_polygon_soup()` reads, which tells neither line nor reason. Refusals, what `soup`
-receives, what is returned, and complexity are as there.
+reads a mesh without coordinates per corner from a file, whose suffix names the format.
+
+The function reads the formats OBJ, PLY, OFF, and STL itself, as from a stream. It reads the other
+formats of `CGAL::IO::read_polygon_soup()` by this function, which gives neither line nor reason for
+a refusal. Return value and complexity are as for streams.
 
 \param filename the name of the file
-\param soup receives what is read
+\param soup receives the mesh; stays as it was if the file is refused
 */
 inline File_status read_polygon_soup(const std::string& filename, Polygon_soup& soup)
 {

@@ -39,8 +39,8 @@ namespace IO {
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-What the functions that read and write files return. Converts to `bool`: `true` if and only if the
-mesh was read or written completely.
+The status of functions that read and write files. It converts to `true` if and only if the mesh was
+read or written completely.
 
 \code{.cpp}
 const auto status = CGAL::Seamless_snapping::IO::read_OBJ("torus.obj", tmesh, uv_map);
@@ -50,22 +50,22 @@ if(!status)
 */
 struct File_status
 {
-  std::string message;  ///< empty on success; else what is wrong, and in which line
-  std::size_t line = 0; ///< the number of that line, counted from 1; 0 if it is not about a line
+  std::string message;  ///< empty on success; else the fault and the line
+  std::size_t line = 0; ///< the number of the faulty line, from 1; 0 if the fault is in no line
   /*!
-  The number of vertices that were added while reading because the faces around a vertex of the file
-  form several fans.
+  The number of vertices that the reader added because the faces around a vertex of the file form
+  several fans.
   */
   std::size_t number_of_split_vertices = 0;
   /*!
-  The number of edges that were welded while reading: pairs of border edges of the file between the
-  same points.
+  The number of edges that the reader welded: pairs of border edges of the file between the same
+  points.
   */
   std::size_t number_of_welded_edges = 0;
   /*!
-  The number of border edges of the mesh that was read that lie between the same two points as
-  another one. If there are any, the mesh may have been cut open along its seams, which are borders
-  then: the parameter `weld_borders` closes them.
+  The number of border edges of the new mesh that lie between the same two points as another border
+  edge. If there are any, the mesh was possibly cut open along its seams. The parameter
+  `weld_borders` closes them.
   */
   std::size_t number_of_coinciding_border_edges = 0;
 
@@ -75,7 +75,7 @@ struct File_status
 
 /*!
 \ingroup PkgSeamlessSnappingIO
-writes the message, or "ok" with what is noteworthy about the mesh.
+writes the message on failure; else "ok", and a note on coinciding border edges, if there are any.
 */
 inline std::ostream& operator<<(std::ostream& os, const File_status& status)
 {

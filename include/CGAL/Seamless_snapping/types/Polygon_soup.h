@@ -30,8 +30,8 @@ namespace IO {
 /*!
 \ingroup PkgSeamlessSnappingIO
 
-Polygons as they stand in a file, of which nothing is known yet, and the lines that they come from.
-All indices count from 0. See `read_polygon_soup()`.
+Polygons as in a file, with their line numbers. The polygons need not form a surface. All indices
+count from 0. See `read_polygon_soup()`.
 */
 struct Polygon_soup
 {
@@ -42,7 +42,7 @@ struct Polygon_soup
     std::size_t line = 0;              ///< counted from 1; 0 in files that are not made of lines
   };
 
-  /// A piece of a polyline: of an `l` element of an OBJ file.
+  /// A segment of an `l` element of an OBJ file.
   struct Segment
   {
     std::array<std::size_t, 2> vertices; ///< indices of points
@@ -52,7 +52,7 @@ struct Polygon_soup
   std::vector<std::array<double, 3> > points; ///< in the order of the file
   std::vector<Polygon> polygons;              ///< in the order of the file
   std::vector<Segment> segments;              ///< in the order of the file
-  std::string format;                         ///< "obj", "ply", or what else the file is
+  std::string format;                         ///< "obj", "ply", or another format
 };
 
 } // namespace IO
