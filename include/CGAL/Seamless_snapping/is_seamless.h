@@ -44,18 +44,18 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-What `measure_seamlessness()` returns. The counts are exact; the violations are computed in floating
-point with an error in the order of their last digit.
+The result of `measure_seamlessness()`. The counts are exact. The violations are computed in
+floating point, with an error in their last digits.
 */
 struct Seamlessness
 {
   std::size_t number_of_interior_edges = 0; ///< edges with a face on both sides
-  /// interior edges whose sides have different coordinates, or that are given as cuts
+  /// interior edges whose sides have different coordinates, and given cuts
   std::size_t number_of_mismatched_edges = 0;
   /// interior edges for which no transition holds exactly
   std::size_t number_of_inexact_edges = 0;
   std::size_t number_of_aligned_edges = 0;  ///< edges that were asked to be aligned
-  /// those of them along which neither coordinate is constant
+  /// aligned edges along which neither coordinate is constant
   std::size_t number_of_misaligned_edges = 0;
   std::size_t number_of_flipped_faces = 0;    ///< faces of negative orientation
   std::size_t number_of_degenerate_faces = 0; ///< faces of no area
@@ -65,7 +65,7 @@ struct Seamlessness
   double misalignment = 0;
 
   /// returns `true` if and only if all transitions and alignments hold exactly. Connection, cycle,
-  /// and corner constraints are not looked at.
+  /// and corner constraints are ignored.
   bool is_exact() const
   {
     return number_of_inexact_edges == 0 && number_of_misaligned_edges == 0;
@@ -194,37 +194,38 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-decides whether a parametrization is exactly seamless: whether for each interior edge there is a
-rotation \f$ R \f$ by a multiple of 90 degrees such that
-\f$ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f$, where
-\f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates of its ends \f$ a, b \f$ in the
-charts of its two faces; and whether a coordinate is constant along each edge that is to be aligned,
-and whether further constraints hold if any are given. The answer is that of exact arithmetic.
+returns whether a parametrization is exactly seamless, by exact arithmetic.
 
-Where constraints have contracted a cut edge to a point, any rotation satisfies the equation. For
-connection and cycle constraints whose paths cross such an edge, it is taken from the edges where
-the cut goes on. If all of them are contracted, up to vertices where the cut ends or branches, the
-coordinates do not tell which is meant: pass `halfedge_rotation_map` as well.
+It is if for each interior edge there is a rotation \f$ R \f$ by a multiple of 90 degrees such that
+\f$ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f$. Here
+\f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates of the ends \f$ a, b \f$ in the
+charts of the two faces. In addition, one coordinate must be constant along each edge that is to be
+aligned, and given constraints must hold.
+
+If constraints have contracted a cut edge to a point, any rotation satisfies the equation. For
+connections and cycles that cross such an edge, the function takes the rotation from the other edges
+of the branch. If all of them are contracted, the coordinates do not determine the rotation: pass
+`halfedge_rotation_map` as well.
 
 \tparam TriangleMesh a model of `FaceGraph` and `EdgeListGraph`; with connection or cycle
-        constraints, of `FaceListGraph` and `VertexListGraph` too, of which all named parameters are
-        those of `seam_transitions()`
+        constraints, also of `FaceListGraph` and `VertexListGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+\param uv_map the coordinates of each corner: halfedge `h` stands for the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
-       `snap_to_seamless()` that say what is to hold, `edge_is_constrained_map`, `align_border`,
-       `edge_is_cut_map`, `halfedge_rotation_map`, `rotational_symmetry`, `connection_constraints`,
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": the constraints of
+       `snap_to_seamless()`, which are `edge_is_constrained_map`, `align_border`, `edge_is_cut_map`,
+       `halfedge_rotation_map`, `rotational_symmetry`, `connection_constraints`,
        `cycle_constraints`, and `corner_constraints`. Without `edge_is_cut_map`, every edge may be a
-       cut; with it, both sides of all others must have the same coordinates. Without
-       `halfedge_rotation_map`, any rotation will do.
+       cut. With it, both sides of all other edges must have the same coordinates. Without
+       `halfedge_rotation_map`, any rotation is accepted.
 
-\return `false` also if a coordinate of an interior edge or of a further constraint is NaN or
-        infinite, (with connection or cycle constraints also if one is beyond 1e300), or if given
-        rotations of opposite halfedges are not inverse to each other
+\return `true` if and only if the parametrization is exactly seamless and satisfies the given
+        constraints. The result is also `false` if a coordinate is NaN or infinite (with connections
+        or cycles, also beyond 1e300), or if given rotations of opposite halfedges are not inverse
+        to each other.
 
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
@@ -246,9 +247,10 @@ bool is_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 \ingroup PkgSeamlessSnappingVerifying
 
 measures how far a parametrization is from being exactly seamless and aligned, and counts the faces
-that are flipped or degenerate in the domain. Template and named parameters are those of
-`is_seamless()`, but `connection_constraints`, `cycle_constraints`, and `corner_constraints` are
-ignored.
+that are flipped or degenerate in the domain.
+
+Template and named parameters are as for `is_seamless()`. The function ignores
+`connection_constraints`, `cycle_constraints`, and `corner_constraints`.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
 

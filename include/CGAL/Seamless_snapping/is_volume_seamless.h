@@ -97,21 +97,23 @@ void read_or_throw(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-decides whether a parametrization of a tetrahedral mesh is exactly seamless: whether for each
-interior facet there is one of the 24 rotations of the cube \f$ R \f$ such that
+returns whether a parametrization of a tetrahedral mesh is exactly seamless, by exact arithmetic.
+
+It is if for each interior facet there is one of the 24 rotations of the cube \f$ R \f$ such that
 \f$ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f$ for any two of its
-vertices \f$ a, b \f$, where \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates in the
-charts of its two cells; and whether a coordinate is constant on each boundary facet and feature
-facet, and two are along each feature edge. The answer is that of exact arithmetic.
+vertices \f$ a, b \f$. Here \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates in the
+charts of the two cells. In addition, one coordinate must be constant on each boundary facet and
+feature facet, and two must be constant along each feature edge.
 
-Template and function parameters, and all named parameters but `tolerance`, `verbose`, and
-`visitor`, are those of `snap_volume_to_seamless()`; the map need be a model of
-`ReadablePropertyMap` only.
+Template parameters, parameters, and named parameters are as for `snap_volume_to_seamless()`,
+without `tolerance`, `verbose`, and `visitor`. The map need only be a model of
+`ReadablePropertyMap`.
 
-\return `false` also if a coordinate is NaN, infinite, or beyond 1e300
+\return `true` if and only if the parametrization is exactly seamless and aligned. The result is
+        also `false` if a coordinate is NaN, infinite, or beyond 1e300.
 
-\throws std::invalid_argument if the cells, their neighbors, or the features are not what
-        `snap_volume_to_seamless()` asks for; the message names the place
+\throws std::invalid_argument if the cells, their neighbors, or the features do not satisfy the
+        preconditions of `snap_volume_to_seamless()`; the message names the place
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
 \par Complexity
@@ -144,8 +146,9 @@ bool is_volume_seamless(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map
 \ingroup PkgSeamlessSnappingVerifying
 
 measures how far a parametrization of a tetrahedral mesh is from being exactly seamless and aligned,
-and counts the cells that are flipped or degenerate in the domain. Parameters are those of
-`is_volume_seamless()`.
+and counts the cells that are flipped or degenerate in the domain.
+
+Parameters are as for `is_volume_seamless()`.
 
 \throws std::invalid_argument also if a coordinate is NaN, infinite, or beyond 1e300
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
@@ -184,22 +187,22 @@ measure_volume_seamlessness(const TetrahedronRange& tetrahedra, CornerUVWMap uvw
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-measures how far a parametrization of a tetrahedral mesh is from an integer-grid map: an exactly
-seamless one whose translations across cuts are integers, whose singular edges lie on integer lines
-along a coordinate axis and meet at integer points, and in which boundary facets, feature facets,
-and feature edges lie on integer planes and lines. Such a map describes a mesh of hexahedra, the
-cells of the integer grid, which programs like HexEx extract. Edges are singular if the angles of
-cells around them do not sum up to 360 degrees: where the rotations across facets around them do not
-multiply to the identity, or where they have 720 degrees or more. Where a cell around an edge is
-flipped or degenerate, rotations alone tell.
+measures how far a parametrization of a tetrahedral mesh is from an integer-grid map.
 
-Nothing of what is used here finds such maps; transitions are read off the coordinates.
+An integer-grid map is an exactly seamless parametrization with these properties:
+- translations across cuts are integers;
+- singular edges lie on integer lines along a coordinate axis, and meet at integer points;
+- boundary facets, feature facets, and feature edges lie on integer planes and lines. . Such a map
+describes a mesh of hexahedra, the cells of the integer grid, which programs like HexEx extract. An
+edge is singular if the angles of the cells around it do not sum up to 360 degrees. This is so if
+the rotations around it do not multiply to the identity, or if the sum is 720 degrees or more. If a
+cell around an edge is flipped or degenerate, only the rotations count.
 
-Parameters and exceptions are those of `measure_volume_seamlessness()`.
+The function reads transitions off the coordinates, and shares no code with the functions that make
+such maps. Parameters and exceptions are as for `measure_volume_seamlessness()`.
 
 \par Complexity
-Linear in the number of cells, all of which are copied; but for a logarithmic factor where corners
-at nodes are sorted.
+\f$ O(n \log n) \f$ in the number \f$ n \f$ of cells, in practice linear. All cells are copied.
 
 \sa `snap_volume_to_seamless()`
 */
@@ -220,14 +223,11 @@ measure_volume_integer_grid(const TetrahedronRange& tetrahedra, CornerUVWMap uvw
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-returns `true` if and only if a parametrization of a tetrahedral mesh is an integer-grid map,
-exactly; see `measure_volume_integer_grid()`, whose parameters it has. Orientations are not looked
-at.
+returns `true` if and only if a parametrization of a tetrahedral mesh is exactly an integer-grid
+map.
 
-\throws std::invalid_argument and `std::runtime_error` as `measure_volume_integer_grid()` does
-
-\par Complexity
-That of `measure_volume_integer_grid()`.
+Orientations are ignored. Parameters, exceptions, and complexity are as for
+`measure_volume_integer_grid()`.
 */
 template <typename TetrahedronRange, typename CornerUVWMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

@@ -46,12 +46,13 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-The transitions of a parametrization: for each interior halfedge `h` the number of turns by \f$ 360
-/ N \f$ degrees, quarter turns by default, by which the chart of `face(h)` is rotated into that of
-`face(opposite(h))`, the cut edges, and the singular vertices. Member functions take constant time.
-Objects are made by `seam_transitions()` and stay valid as long as the mesh is neither modified nor
-destroyed. They must not outlive it: they hold a dynamic property of its edges, which is removed
-from the mesh together with the last copy.
+The transitions of a parametrization, the cut edges, and the singular vertices, as returned by
+`seam_transitions()`.
+
+The transition of an interior halfedge `h` is a number of turns by \f$ 360 / N \f$ degrees, quarter
+turns by default, which rotate the chart of `face(h)` into the chart of `face(opposite(h))`. Member
+functions take constant time. An object is valid until the mesh is modified. It must not outlive the
+mesh, because it holds a dynamic property of its edges.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 \tparam N the order of the rotational symmetry: 1, 2, 3, 4, or 6
@@ -102,13 +103,13 @@ public:
   /// returns `true` if the transitions could be read off.
   explicit operator bool() const { return !m_data.refusal; }
 
-  /// returns why they could not, as `seam_transitions()` lists it; nothing if they could.
+  /// returns the reason for a failure, as listed for `seam_transitions()`, or no value on success.
   std::optional<Outcome> failure() const
   {
     return m_data.refusal ? std::optional<Outcome>(m_data.refusal->status) : std::nullopt;
   }
 
-  /// returns the place, the reason, and the remedy in these cases.
+  /// returns the place, the reason, and the remedy of a failure.
   std::string message() const { return m_data.refusal ? m_data.refusal->message : std::string(); }
 
   /// returns the number from 0 to N - 1 of counterclockwise turns by 360 / N degrees of the
@@ -133,12 +134,12 @@ public:
   /// structures.
   const std::vector<halfedge_descriptor>& cut_halfedges() const { return m_cut_halfedges; }
 
-  /// returns one halfedge of each edge that is no cut, but whose sides have different coordinates.
+  /// returns one halfedge of each edge that is no cut but has different coordinates on its sides.
   const std::vector<halfedge_descriptor>& merged_halfedges() const { return m_merged_halfedges; }
 
   /// returns the interior vertices around which the rotations do not add up to the identity; then
-  /// those whose angle is 720 degrees or a larger multiple of 360, which rotations don't tell from
-  /// 360, provided that all faces around them are positive in the domain.
+  /// the vertices with an angle of 720 degrees or a larger multiple of 360, if all faces around
+  /// them are positive in the domain.
   const std::vector<Singular_vertex>& singular_vertices() const { return m_singular_vertices; }
 
   /// returns `true` if all transitions hold exactly and nothing is to be merged.
@@ -161,7 +162,7 @@ private:
   int index(const halfedge_descriptor h) const { return get(m_index, edge(h, *m_tmesh)) - 1; }
 
   const TriangleMesh* m_tmesh;
-  Edge_map m_index; // of an open edge, plus 1
+  Edge_map m_index; // the index of an open edge, plus 1
   internal::Transition_data<halfedge_descriptor> m_data;
   std::vector<halfedge_descriptor> m_cut_halfedges, m_merged_halfedges;
   std::vector<Singular_vertex> m_singular_vertices;
@@ -172,28 +173,26 @@ private:
 
 reads the transitions off a uv map.
 
-Where the two sides of an edge are the same to the bit, there is no cut. Elsewhere the seams are an
-estimate: the topology that explains the coordinates with the smallest residuals.
--# The noise at an edge is the largest residual of the best rotations within a few edges; where
-   corners differ along most edges of a vertex, the median of their gaps counts as well.
--# An edge for which only one rotation is within twice the noise takes this rotation.
--# Another edge takes the rotation of the branch it lies on, or what fits best; where corners have
-   noise of their own, it takes the rotation that leaves no cone at an end where all other edges are
-   decided; if no end tells, it is no cut provided that its sides differ by no more than the noise,
-   and otherwise takes the rotation that fits best.
--# Two cones that only such choices have made cancel each other along edges that were not decided by
-   themselves, so that no cone remains that no residual asks for, and none goes that residuals
-   prove.
--# A chain of edges without rotation is no cut if its sides are apart, in the mean, by no more than
-   a small multiple of the largest residual in its connected part of the seams: its corners belong
-   together, they are <em>merged</em>.
+If the two sides of an edge have the same coordinates, bit for bit, the edge is no cut. Otherwise,
+the function estimates the seams: it chooses the topology that explains the coordinates with the
+smallest residuals.
+-# It measures the noise at an edge: the largest residual of the best rotations within a few edges.
+   If corners differ along most edges of a vertex, the median of their gaps counts as well.
+-# If only one rotation is within twice the noise, the edge takes this rotation.
+-# Any other edge takes the rotation of its branch, or the rotation that fits best. If corners have
+   noise of their own, it takes the rotation that leaves no cone at an end whose other edges are
+   decided. If no end decides, the edge is no cut if its gap is within the noise.
+-# Two cones that only exist because of such choices cancel each other along undecided edges. So
+   each cone that remains is proved by residuals.
+-# A chain of edges without rotation is no cut if the mean of its gaps is at most a small multiple
+   of the largest residual in its connected part of the seams. Its corners are <em>merged</em>.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh: any number of components, of any genus, with or without border
-\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
+\param uv_map the coordinates of each corner: halfedge `h` stands for the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `tolerance`,
        `edge_is_cut_map`, `halfedge_rotation_map`, `rotational_symmetry`, and `vertex_index_map` of

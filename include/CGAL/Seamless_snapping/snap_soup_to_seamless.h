@@ -36,11 +36,12 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-does what `snap_to_seamless()` does, for a parametrization of a triangle soup.
+moves an approximately seamless parametrization of a triangle soup to a nearby one that is exactly
+seamless, as `snap_to_seamless()` does.
 
-The faces become a surface by their vertex indices: two faces are neighbors where they share two
-vertices. Where the faces around a vertex form several fans, each counts as a vertex of its own;
-messages number the further ones after all other vertices.
+Two faces are neighbors if they share two vertex indices. If the faces around a vertex form several
+fans, each fan counts as a separate vertex. Messages number the further ones after all other
+vertices.
 
 \tparam TriangleRange a range whose elements are ranges of 3 vertex indices:
         `std::vector<std::array<int, 3> >`, for instance
@@ -51,8 +52,7 @@ messages number the further ones after all other vertices.
 
 \param triangles the faces: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices. Memory is
        proportional to the largest of them.
-\param uv_map the coordinates of each corner: that of key `3 * i + k` belongs to vertex `k` of face
-       `i`
+\param uv_map the coordinates of each corner: key `3 * i + k` is vertex `k` of face `i`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `align_border`,
        `rotational_symmetry`, `tolerance`, `repair_flips`, `number_of_untangling_iterations`,
        `integer_grid`, `grid_scale`, `rounding_tolerance`, `verbose`, and `visitor` of
@@ -60,22 +60,22 @@ messages number the further ones after all other vertices.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{feature_edges}
-    \cgalParamDescription{edges that are to lie on isocurves: along each, the coordinate that
-                          changes less in the input is made constant}
+    \cgalParamDescription{edges that are to lie on isocurves. Along each, the function makes the
+                          coordinate constant that changes less in the input.}
     \cgalParamType{a range of ranges of 2 vertex indices}
     \cgalParamDefault{none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return what `snap_to_seamless()` returns; in addition, `Snapping_report::status` is
+\return the report, as for `snap_to_seamless()`. In addition, `Snapping_report::status` is
         - `NOT_MANIFOLD`: an edge belongs to more than two faces, or two of its faces are not
           oriented consistently;
         - `INVALID_ARGUMENT`: a face has a vertex twice or an index out of range, or a feature is no
           edge of a face.
 
 \par Complexity
-That of `snap_to_seamless()`; a face graph with the same vertices and faces is made first and takes
-about as long as reading a file of them into a mesh does.
+As for `snap_to_seamless()`. The function first makes a face graph, which takes about as long as
+reading a file into a mesh.
 
 \sa `is_soup_seamless()`
 \sa `snap_to_seamless()`
@@ -104,18 +104,20 @@ Snapping_report snap_soup_to_seamless(const TriangleRange& triangles, CornerUVMa
 \ingroup PkgSeamlessSnappingVerifying
 
 returns whether a parametrization of a triangle soup is exactly seamless and aligned, as
-`is_seamless()` does. Of the parameters, which are those of `snap_soup_to_seamless()`,
-`align_border`, `rotational_symmetry`, and `feature_edges` count; the map need be a model of
-`ReadablePropertyMap` only.
+`is_seamless()` does.
 
-\throws std::invalid_argument if the faces or features are not what `snap_soup_to_seamless()` asks
-        for; the message names the place
+Parameters are as for `snap_soup_to_seamless()`. The function reads the named parameters
+`align_border`, `rotational_symmetry`, and `feature_edges`. The map need only be a model of
+`ReadablePropertyMap`.
+
+\throws std::invalid_argument if the faces or features do not satisfy the preconditions of
+        `snap_soup_to_seamless()`; the message names the place
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
 \pre all coordinates are finite
 
 \par Complexity
-That of `is_seamless()`, and that of making a face graph first, as for `snap_soup_to_seamless()`.
+As for `is_seamless()`. The function first makes a face graph, as `snap_soup_to_seamless()` does.
 */
 template <typename TriangleRange, typename CornerUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

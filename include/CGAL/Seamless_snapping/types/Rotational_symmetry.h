@@ -23,21 +23,20 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingSymmetry
 
-The rotations that the transitions of a parametrization may have: by multiples of \f$ 360 / N \f$
-degrees. Objects are values of the named parameter `rotational_symmetry`.
+The rotations of the transitions of a parametrization: multiples of \f$ 360 / N \f$ degrees. Objects
+are values of the named parameter `rotational_symmetry`.
 
 For \f$ N = 1, 2, 4 \f$ coordinates are Cartesian. For \f$ N = 3, 6 \f$ they are <em>lattice
 coordinates</em>: \f$ (a, b) \f$ stands for the point \f$ a + b \omega \f$, where \f$ \omega \f$ is
-the unit vector at 60 degrees. The rotations are integer matrices then; that by 60 degrees takes
-\f$ (a, b) \f$ to \f$ (-b, a + b) \f$. In Cartesian coordinates no such map can be exact: the
-image of \f$ (x, y) \ne 0 \f$ is
-\f$ (x / 2 - \sqrt 3 y / 2, \sqrt 3 x / 2 + y / 2) \f$, and \f$ \sqrt 3 \f$ is irrational,
-so that not all four numbers are floating point numbers.
+the unit vector at 60 degrees. The rotations are then integer matrices: the rotation by 60 degrees
+takes \f$ (a, b) \f$ to \f$ (-b, a + b) \f$. In Cartesian coordinates no such map can be exact,
+because the image of \f$ (x, y) \ne 0 \f$ is
+\f$ (x / 2 - \sqrt 3 y / 2, \sqrt 3 x / 2 + y / 2) \f$, and \f$ \sqrt 3 \f$ is irrational.
 
-Isocurves run in three directions for \f$ N = 3, 6 \f$: where \f$ a \f$, \f$ b \f$, or
+For \f$ N = 3, 6 \f$ isocurves run in three directions, along which \f$ a \f$, \f$ b \f$, or
 \f$ a + b \f$ is constant. These are the components 0, 1, and 2 of constraints. Tolerances and
-violations are those of the largest of the three; changes, which `Snapping_report` tells, are those
-of Cartesian coordinates.
+violations refer to the largest component. The changes in `Snapping_report` are changes of Cartesian
+coordinates.
 
 \tparam N 1, 2, 3, 4, or 6
 

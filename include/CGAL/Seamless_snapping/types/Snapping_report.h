@@ -31,36 +31,34 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-Values of the named parameter `repair_flips` of `snap_to_seamless()` and of
-`snap_volume_to_seamless()`, which tells what they mean for cells. `true` stands for `NEAR_BY`,
-`false` for `NONE`.
+The values of the named parameter `repair_flips` of `snap_to_seamless()` and of
+`snap_volume_to_seamless()`. `true` stands for `NEAR_BY`, `false` for `NONE`.
 
-Repairs leave cones their angles if they can: a cone of 450 degrees, for instance, does not become
-one of 90, for which another vertex would get 360 degrees more. Only where flips remain, all is
-tried again without this condition; and, but for integer-grid maps, before large parts of the map
-are changed. No face that is positive loses its orientation for another one.
+Repairs keep the angles of cones if possible. For example, a cone of 450 degrees does not become a
+cone of 90 degrees, with 360 degrees more at another vertex. If flips remain, the function tries
+again without this condition. Except for integer-grid maps, it also does so before it changes large
+parts of the map. No positive face loses its orientation for the sake of another face.
 
-The search is bounded by the named parameter `number_of_untangling_iterations`, 400 by default: that
-many iterations of Newton's method over all faces. Where the factorization of one takes longer than
-the faces, it counts for as many as take as long. Maps of common producers, and small maps that
-were tangled at random, took at most 92 in the tests. What remains flipped is told by the status
-`Outcome::FLIPS_REMAIN`; the result is exact nevertheless. A face that seams and alignments
-leave no area, whatever the coordinates are, is not searched for.
+The named parameter `number_of_untangling_iterations` bounds the search, by the number of Newton
+iterations over all faces. A long factorization counts as several iterations. Maps of common
+producers, and small maps that were tangled at random, needed at most 92 iterations in tests. If
+faces stay flipped, the status is `Outcome::FLIPS_REMAIN`, and the result is exact nevertheless. The
+function ignores faces that have no area for any coordinates, because of seams and alignments.
 */
 enum class Flip_repair
 {
   NONE,    ///< Flips of the input stay.
-  /// Single vertices move, those that no constraint concerns are put in the middle of their
-  /// neighbors, and a quadratic program looks for solutions near by.
+  /// Single vertices move, vertices without constraints move into the middle of their neighbors,
+  /// and a quadratic program looks for solutions near by.
   NEAR_BY,
-  UNTANGLE ///< The same; where flips remain, the map around them is changed as much as it takes.
+  UNTANGLE ///< As `NEAR_BY`; the map around remaining flips changes as much as necessary.
 };
 
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-Figures of a run: what was found on the surface, and what was done about its faces. Those of a step
-that was not reached are zero.
+Figures of a run: sizes, and counts of repaired faces. Figures of a step that was not reached are
+zero.
 */
 struct Snapping_figures
 {
@@ -70,8 +68,8 @@ struct Snapping_figures
   std::size_t number_of_cut_edges = 0;    ///< interior edges whose transition is not the identity
   /// edges that are no cut, but whose sides differed in the input
   std::size_t number_of_merged_edges = 0;
-  /// edges too short to tell their rotation, which took another one from their surroundings than
-  /// the one that fits them best by themselves
+  /// edges too short to determine their rotation, which took another rotation from their
+  /// surroundings than the one that fits best
   std::size_t number_of_edges_decided_by_surroundings = 0;
   /// interior vertices whose holonomy is not the identity: cones of 720 degrees, or another
   /// multiple of 360, are not among them, but among `Seam_transitions::singular_vertices()`
@@ -90,21 +88,21 @@ struct Snapping_figures
   /// faces of positive orientation that the closest solution turned or made degenerate, before
   /// repair
   std::size_t number_of_lost_faces = 0;
-  /// those that moves of single vertices made positive again
+  /// lost faces that moves of single vertices made positive again
   std::size_t number_of_faces_repaired_by_moves = 0;
-  std::size_t number_of_faces_repaired_by_program = 0; ///< those that a quadratic program did
-  /// with `Flip_repair::UNTANGLE`: those that untangling did
+  std::size_t number_of_faces_repaired_by_program = 0; ///< lost faces, by a quadratic program
+  /// with `Flip_repair::UNTANGLE`: lost faces that untangling made positive again
   std::size_t number_of_faces_repaired_by_untangling = 0;
   /// with `repair_flips`: faces that were not positive in the input, and that repairs made positive
   std::size_t number_of_repaired_flips = 0;
-  /// with `repair_flips`: vertices inside around which the angle is another one than before, by
-  /// full turns, as repairs turned a fold into cones; what it was in folds is an estimate
+  /// with `repair_flips`: interior vertices whose angle changed by full turns, because repairs
+  /// turned a fold into cones; the angle in a fold is an estimate
   std::size_t number_of_changed_cones = 0;
-  /// with `Flip_repair::UNTANGLE`: faces that have no area, whatever the coordinates are, as long
-  /// as seams and alignments are what they are
+  /// with `Flip_repair::UNTANGLE`: faces that have no area for any coordinates, because of seams
+  /// and alignments
   std::size_t number_of_faces_without_area = 0;
-  /// with `Flip_repair::UNTANGLE`: iterations over all faces that it took, at most what the named
-  /// parameter `number_of_untangling_iterations` allows
+  /// with `Flip_repair::UNTANGLE`: iterations over all faces, at most the named parameter
+  /// `number_of_untangling_iterations`
   std::size_t number_of_untangling_iterations = 0;
   /// @}
 };
@@ -112,9 +110,9 @@ struct Snapping_figures
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-What functions return that snap surfaces and volumes: the report of a linear system, and what
-concerns the faces. Converts to `bool`: `true` if and only if all constraints hold exactly in the
-caller's values.
+The report of functions that snap surfaces and volumes: the report of a linear system, and the faces
+that lost their orientation. It converts to `true` if and only if all constraints hold exactly in
+the caller's values.
 
 Figures of a step that was not reached are zero.
 */

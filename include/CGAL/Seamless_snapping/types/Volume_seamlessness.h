@@ -25,8 +25,8 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-What `measure_volume_seamlessness()` returns. The counts are exact; the violations are computed in
-floating point with an error in the order of their last digit.
+The result of `measure_volume_seamlessness()`. The counts are exact. The violations are computed in
+floating point, with an error in their last digits.
 */
 struct Volume_seamlessness
 {
@@ -38,9 +38,9 @@ struct Volume_seamlessness
   std::size_t number_of_inexact_facets = 0;
   std::size_t number_of_aligned_facets = 0;  ///< facets that were asked to be aligned
   std::size_t number_of_aligned_edges = 0;   ///< edges that were asked to be aligned
-  /// those of them on which no coordinate is constant, or along which less than two are
+  /// aligned facets without a constant coordinate, and aligned edges without two
   std::size_t number_of_misalignments = 0;
-  /// cells of negative orientation, as most cells around are listed
+  /// cells of negative orientation, relative to the orientation of most cells around
   std::size_t number_of_flipped_cells = 0;
   std::size_t number_of_degenerate_cells = 0; ///< cells of no volume
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
@@ -55,7 +55,7 @@ struct Volume_seamlessness
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-What `measure_volume_integer_grid()` returns. The counts are exact; distances and the volume are
+The result of `measure_volume_integer_grid()`. The counts are exact. Distances and the volume are
 computed in floating point.
 */
 struct Volume_integer_grid_measure
@@ -64,28 +64,27 @@ struct Volume_integer_grid_measure
   std::size_t number_of_noninteger_cuts = 0;   ///< cut facets whose translation is no integer
   std::size_t number_of_noninteger_facets = 0; ///< aligned facets that lie on no integer plane
   std::size_t number_of_noninteger_edges = 0;  ///< aligned edges that lie on no integer line
-  /// interior edges with another angle than 360 degrees, and, on a boundary that is aligned, edges
-  /// of 360 degrees or more
+  /// interior edges with another angle than 360 degrees, and edges of an aligned boundary with an
+  /// angle of 360 degrees or more
   std::size_t number_of_singular_edges = 0;
-  /// those of them that lie on no integer line
+  /// singular edges that lie on no integer line
   std::size_t number_of_noninteger_singular_edges = 0;
-  /// vertices at which other than two interior singular edges meet
+  /// nodes: vertices of interior singular edges that do not have exactly two of them
   std::size_t number_of_nodes = 0;
-  /// those of them that are no integer points; where cells have positive volume, all are, if
-  /// singular edges are on integer lines
+  /// nodes that are no integer points; there are none if cells have positive volume and singular
+  /// edges lie on integer lines
   std::size_t number_of_noninteger_nodes = 0;
-  /// cells that are flipped or degenerate in the domain, if most are positive; else those that are
-  /// not negative
+  /// cells that are flipped or degenerate in the domain, relative to the orientation of most cells
   std::size_t number_of_nonpositive_cells = 0;
   double translation_distance = 0; ///< the largest distance of a translation from an integer
   /// the largest distance of an aligned facet from an integer plane, or of an edge from a line
   double alignment_distance = 0;
-  /// of all cells, with their signs: in an integer-grid map with aligned boundary, it is the number
+  /// the signed volume of all cells; in an integer-grid map with aligned boundary, it is the number
   /// of hexahedra
   double volume = 0;
 
-  /// returns `true` if and only if the map is an integer-grid map, exactly. Orientations are not
-  /// looked at.
+  /// returns `true` if and only if the map is exactly an integer-grid map. Orientations are
+  /// ignored.
   explicit operator bool() const
   {
     return is_exactly_seamless && number_of_noninteger_cuts == 0 &&

@@ -36,10 +36,10 @@ namespace Seamless_snapping {
 /*!
 \ingroup PkgSeamlessSnappingConstraints
 
-A connection constraint (Eq.\ (6) of \cgalCite{cgal:mc-ecstsp-19}): the isocurve along which a
-coordinate of corner `a` is constant leads, along the path, to corner `b`. With \f$ g \f$ the
-composition of the transitions across the halfedges of the path, \f$ g(\mathbf{u}(a)) \f$ and \f$
-\mathbf{u}(b) \f$ agree in one component.
+A connection constraint (Eq.\ (6) of \cgalCite{cgal:mc-ecstsp-19}): an isocurve of corner `a` leads
+along a path to corner `b`. In other words, \f$ g(\mathbf{u}(a)) \f$ and \f$ \mathbf{u}(b) \f$ agree
+in one component, with the composition \f$ g \f$ of the transitions across the halfedges of the
+path.
 
 A path is a sequence of halfedges: `h` leads from `face(h)` to `face(opposite(h))`. The path of a
 connection begins in `face(a)` and ends in `face(b)`; it is empty if these are the same.
@@ -61,8 +61,8 @@ struct Connection_constraint
 /*!
 \ingroup PkgSeamlessSnappingConstraints
 
-A cycle constraint (Eq.\ (8) of \cgalCite{cgal:mc-ecstsp-19}): the isocurve along which a coordinate
-of a corner is constant returns, along a closed path, to that corner, instead of forming a spiral.
+A cycle constraint (Eq.\ (8) of \cgalCite{cgal:mc-ecstsp-19}): an isocurve of a corner returns along
+a closed path to the corner, instead of forming a spiral.
 */
 template <typename TriangleMesh>
 struct Cycle_constraint
@@ -78,8 +78,8 @@ struct Cycle_constraint
 /*!
 \ingroup PkgSeamlessSnappingConstraints
 
-A linear equation on the coordinates of corners, with rational coefficients: pinned coordinates,
-spacings of nodes, integer coordinates of quantized parametrizations.
+A linear equation on the coordinates of corners, with rational coefficients. Examples are pinned
+coordinates, spacings of nodes, and integer coordinates of quantized parametrizations.
 */
 template <typename TriangleMesh>
 struct Corner_constraint
@@ -93,22 +93,22 @@ struct Corner_constraint
     CGAL::Exact_rational coefficient = CGAL::Exact_rational(1); ///< the coefficient
   };
 
-  std::vector<Term> terms;                  ///< their sum
-  CGAL::Exact_rational right_hand_side = CGAL::Exact_rational(0); ///< is equal to this
+  std::vector<Term> terms;                  ///< the terms of the sum
+  CGAL::Exact_rational right_hand_side = CGAL::Exact_rational(0); ///< the value of the sum
 };
 
 /*!
 \ingroup PkgSeamlessSnappingConstraints
 
-returns a path from `face(a)` to `face(b)` that crosses as few edges as possible. If both are the
-same face, if the faces are not connected, or if one of the halfedges is on the border and has no
-face, the path is empty.
+returns a path from `face(a)` to `face(b)` that crosses as few edges as possible. The path is empty
+if both are the same face, if the faces are not connected, or if one of the halfedges is on the
+border.
 
 \tparam TriangleMesh a model of `FaceGraph`
 
 \param tmesh the mesh
 \param a a halfedge of the face where the path begins
-\param b a halfedge of the face where it ends
+\param b a halfedge of the face where the path ends
 
 \par Complexity
 Linear in the number of faces.
