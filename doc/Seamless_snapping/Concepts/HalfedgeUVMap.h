@@ -2,14 +2,14 @@
 \ingroup PkgSeamlessSnappingConcepts
 \cgalConcept
 
-The concept `HalfedgeUVMap` describes the coordinates of a parametrization of a triangle mesh: each
-corner has its own, so that they may differ on the two sides of an edge. The corner of a face `f` at
-a vertex `v` belongs to the halfedge `h` with `face(h) == f` and `target(h) == v`. Values of border
-halfedges are neither read nor written.
+The concept `HalfedgeUVMap` describes the coordinates of a parametrization of a triangle mesh. Each
+corner has its own coordinates, so that they may differ on the two sides of an edge. The corner of a
+face `f` at a vertex `v` belongs to the halfedge `h` with `face(h) == f` and `target(h) == v`. Values of
+border halfedges are neither read nor written.
 
-Functions that write coordinates ask for a model of `WritablePropertyMap` or `ReadWritePropertyMap`
-in addition. Its corners may share no place in memory: a map that has one value for a vertex holds no
-parametrization with cuts.
+Functions that write coordinates also require a model of `WritablePropertyMap` or
+`ReadWritePropertyMap`, in which corners share no place in memory. A map with one value for each vertex
+cannot represent a parametrization with cuts.
 
 \cgalRefines{ReadablePropertyMap}
 
@@ -19,10 +19,10 @@ parametrization with cuts.
 class HalfedgeUVMap
 {
 public:
-  /// `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`, or what it converts to
+  /// `boost::graph_traits<TriangleMesh>::%halfedge_descriptor`, or a type that it converts to
   typedef unspecified_type key_type;
 
   /// a two-dimensional point with coordinates `x()` and `y()` of type `double` or `float`, which can
-  /// be constructed from two of them; as a `%Point_2` of a kernel with such a number type
+  /// be constructed from two of them; for example the `%Point_2` of a kernel with this number type
   typedef unspecified_type value_type;
 };
