@@ -48,8 +48,8 @@ namespace Quad_remeshing {
 /*!
 \ingroup PkgQuadRemeshingParametrizing
 
-The status and the figures that `approximate_seamless_parametrization()` returns, but for those
-that name vertices. Converts to `bool`: `true` if and only if the coordinates were written.
+The status and the figures of `approximate_seamless_parametrization()`, without lists of vertices.
+Converts to `bool`: `true` if and only if the coordinates were written.
 */
 struct Parametrization_figures
   : public Report
@@ -81,12 +81,12 @@ struct Parametrization_figures
   std::size_t number_of_cut_edges = 0;        ///< interior edges that were cut open
   std::size_t number_of_cut_branches = 0;     ///< sequences of cut edges that share one transition
   std::size_t number_of_aligned_edges = 0;    ///< edges that were constrained to isocurves
-  /// triangles whose area in the plane is not positive: those of no area are counted, which
-  /// `Seamlessness` counts by themselves
+  /// triangles whose area in the plane is not positive, including degenerate triangles, which
+  /// `Seamlessness` counts separately
   std::size_t number_of_flipped_faces = 0;
   std::size_t number_of_stiffening_rounds = 0; ///< solves that were spent on lowering this number
-  std::size_t number_of_flips_before_untangling = 0; ///< what this number was without untangling
-  /// what untangling took: iterations over as many faces as the mesh has, rounded up
+  std::size_t number_of_flips_before_untangling = 0; ///< the same before untangling
+  /// the work of untangling, in iterations over all faces, rounded up
   std::size_t number_of_untangling_iterations = 0;
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
   double violation = 0; ///< largest difference of the sides of a cut edge after rotation
@@ -96,14 +96,14 @@ struct Parametrization_figures
   /// @{
   /// the steps in the order in which they were made, with their wall-clock times in seconds
   std::vector<std::pair<std::string, double> > step_times;
-  double seconds_in_solvers = 0; ///< the part of it that sparse factorizations and solves took
+  double seconds_in_solvers = 0; ///< the time in sparse factorizations and solves
   /// @}
 };
 
 /*!
 \ingroup PkgQuadRemeshingParametrizing
 
-What `approximate_seamless_parametrization()` returns.
+The result of `approximate_seamless_parametrization()`.
 
 \tparam VertexDescriptor the vertex descriptor of the mesh
 */
@@ -116,8 +116,7 @@ struct Parametrization_report
   cube (valence 3 of a quadrangulation), -1 for valence 5.
   */
   std::vector<std::pair<VertexDescriptor, int> > cones;
-  /// with `release_alignment`, the edges that are not aligned although they were to be, each by its
-  /// vertices
+  /// with `release_alignment`, the edges whose alignment was released, each by its two vertices
   std::vector<std::pair<VertexDescriptor, VertexDescriptor> > released_edges;
 };
 
@@ -259,31 +258,27 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
 
 \brief computes an approximately seamless, field-aligned parametrization of a triangle mesh.
 
-The mesh may have any genus, any number of components, and borders. A smooth field of crosses (one
-per face) determines cones; the surface is cut open along a graph through all of them, and the
-coordinates whose gradients come closest to the field, in the sense of least squares, are computed
-such that the transition across each cut edge is a rotation by a multiple of 90 degrees and a
-translation. The transitions hold up to the rounding of floating-point numbers: pass the result to
-`snap_to_seamless()` to make them exact.
+The mesh may have any genus, any number of components, and borders. The function computes a smooth
+cross field, whose singularities become the cones; it cuts the surface open along a graph through
+all cones, and computes the coordinates whose gradients are closest to the field in the sense of
+least squares. The transition across each cut edge is a rotation by a multiple of 90 degrees and a
+translation, up to rounding. `snap_to_seamless()` makes the transitions exact. That function takes
+the output of any other method equally well; this one does not compete with specialized methods in
+distortion.
 
-This function is meant as a producer of input for `snap_to_seamless()`, for meshes that come without
-a parametrization. It does not compete with specialized methods in distortion. `snap_to_seamless()`
-takes the output of any other producer equally well.
+If triangles are flipped in the least-squares solution, the function stiffens the map around them,
+and then untangles it \cgalCite{cgal:gkkprs-ffm-21}, without any change of cuts, cones, and
+alignment. There is no guarantee that no triangle stays flipped; the report has their number.
+Alignment can make flips unavoidable, for example if the features around a region ask for a
+rectangle without width. With `release_alignment`, the function gives up the alignment of some
+features there.
 
-Where triangles are flipped in the least-squares solution, it is stiffened around them, and then
-untangled \cgalCite{cgal:gkkprs-ffm-21} without any change of cuts, cones, and alignment. There is
-no guarantee that no triangle stays flipped: how many are is part of the report. Alignment alone can
-make flips unavoidable, as where the features around a region ask for a rectangle without a width;
-with `release_alignment`, some features are no longer aligned there.
+All corners of a sector, that is around a vertex and between two cuts, receive the same coordinates
+to the bit. The result depends on the arguments only.
 
-The corners in one sector, that is around a vertex and between cuts, receive the same coordinates to
-the bit. The result is reproducible: it depends on nothing but the arguments.
-
-Degenerate faces are allowed: the edge lengths of a component that the computation starts from are
-enlarged by one small amount, as much as it takes. Vertices without a face are ignored. Nothing is
-promised about the topology of the mesh, so that none is refused: a caller who expects it to be
-closed, or of a certain genus, finds the number of border loops, of components, and the genus in the
-report.
+Degenerate faces are allowed: the function enlarges all edge lengths of their component by one small
+amount. Vertices without a face are ignored. No topology is refused; the report has the numbers of
+border loops and components, and the genus.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `WritablePropertyMap`;
@@ -319,10 +314,10 @@ report.
   \cgalParamNEnd
   \cgalParamNBegin{curvature_alignment}
     \cgalParamDescription{how strongly the field follows the principal directions of curvature: 0 is
-                          the smoothest field; with 1, they weigh as much as the smoothness where
-                          the principal radii are as short as an edge. Where the surface curves
-                          alike in all directions, as on spheres, none counts, and the field is
-                          the smoothest one that continues what is around}
+                          the smoothest field; with 1, they weigh as much as the smoothness if the
+                          principal radii are as short as an edge. On spheres and planes, which
+                          have no principal directions, the field is the smoothest one that
+                          continues the field around them.}
     \cgalParamType{`double`, 0 or at least 1e-9}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
@@ -333,11 +328,10 @@ report.
   \cgalParamNEnd
   \cgalParamNBegin{face_direction_map}
     \cgalParamDescription{a property map that associates to each face a direction of its cross, in
-                          space: what is perpendicular to the face does not count. A face with the
-                          direction 0, or one that is perpendicular up to a millionth, is free: the
-                          field is smooth there. So a few directions are guides, and one for each
-                          face is a field of one's own, from which the cones follow. Features go
-                          first.}
+                          space. The function projects it to the face. A face with the direction 0,
+                          or with a direction perpendicular to the face, is free: the field is
+                          smooth there. A few directions guide the field; a direction for each
+                          face prescribes the field and its cones. Features take precedence.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3`
                    as value type}
@@ -348,8 +342,8 @@ report.
   \cgalParamNBegin{vertex_sizing_map}
     \cgalParamDescription{a property map that associates to each vertex the length on the surface
                           that corresponds to one unit in the plane there, in multiples of
-                          `target_edge_length`. The smoothest field is sought where lengths are
-                          measured by it, so that cones let it vary.}
+                          `target_edge_length`. The field is the smoothest one of the metric that
+                          is scaled by these lengths, so it has cones if they vary.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
                    as value type}
@@ -368,22 +362,22 @@ report.
     \cgalParamDefault{the field decides}
     \cgalParamExtra{On each closed component, the indices have to add up to \f$ 4 \chi \f$. Can't be
                     combined with features, `align_border`, `curvature_alignment`, or
-                    `face_direction_map`: given cones leave the field no freedom but one angle, and
-                    what it turns by around handles.
+                    `face_direction_map`, because given cones leave the field no freedom but one
+                    angle and the turns around handles.
                     Indices of 4 or more are refused: the angle of a cone is 4 minus its index.}
   \cgalParamNEnd
   \cgalParamNBegin{largest_cone_index}
-    \cgalParamDescription{the largest index that a cone of the field may have, 1, 2, or 3: neighbors
-                          take what is above. A cone of index 3 is a vertex of valence 1 of a
-                          quadrangulation, which no face graph can hold.}
+    \cgalParamDescription{the largest index that a cone of the field may have, 1, 2, or 3. Larger
+                          indices are shared with neighboring vertices. A cone of index 3 is a
+                          vertex of valence 1 of a quadrangulation, which no face graph can hold.}
     \cgalParamType{`int`}
     \cgalParamDefault{`3`}
   \cgalParamNEnd
   \cgalParamNBegin{least_cone_distance}
-    \cgalParamDescription{a length on the surface: two cones of the field of opposite indices that
-                          are not farther apart, along edges, cancel, the closest first. So there
-                          are as few as large quads have room for. Cones on features and borders
-                          stay. Where sizes vary, it is that of their mean.}
+    \cgalParamDescription{a length on the surface. Two cones of opposite indices that are not
+                          farther apart, along edges, cancel, the closest pair first. Large quads
+                          have room for few cones only. Cones on features and borders stay. If
+                          sizes vary, the length is in the metric of the mean size.}
     \cgalParamType{`double`}
     \cgalParamDefault{`0`}
     \cgalParamExtra{Can't be combined with `cone_index_map`.}
@@ -400,29 +394,24 @@ report.
     \cgalParamDefault{`5`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_untangling_iterations}
-    \cgalParamDescription{about the largest number of iterations that are spent on untangling, over
-                          as many faces as the mesh has; each costs about as much as a stiffening
-                          round. Where the factorization of a Newton step takes longer than the
-                          faces, as with the translations of many cuts, an iteration counts as so
-                          many that take as long; so do the systems that are made and solved after
-                          a release of features. What follows a release that has not helped counts
-                          threefold. 0 for no untangling}
+    \cgalParamDescription{a bound on the work of untangling, in iterations over all faces. An
+                          iteration costs about as much as a stiffening round; more expensive
+                          steps count as several iterations. 0 means no untangling.}
     \cgalParamType{`unsigned int`}
-    \cgalParamDefault{`500`, or, of large meshes, as many as make 20 million iterations over a
-                      face: about a minute}
+    \cgalParamDefault{`500`, and less for large meshes, such that the bound is about a minute}
   \cgalParamNEnd
   \cgalParamNBegin{release_alignment}
-    \cgalParamDescription{whether features need not be aligned where triangles would be flipped
-                          otherwise: edge by edge, the shortest first. The report lists them. Border
-                          edges stay aligned.}
+    \cgalParamDescription{whether the function may give up the alignment of feature edges next to
+                          flipped triangles, the shortest edge first. The report lists them.
+                          Border edges stay aligned.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
-    \cgalParamExtra{What comes after, as `snap_to_seamless()`, should not take the edges that were
-                    released for features.}
+    \cgalParamExtra{Do not pass released edges as features to the functions that follow, such as
+                    `snap_to_seamless()`.}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_cut_map}
     \cgalParamDescription{receives which edges are cuts, for `snap_to_seamless()` and the functions
-                          that follow: what is known need not be read off the coordinates again}
+                          that follow, which need not read them off the coordinates then}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
@@ -445,10 +434,10 @@ report.
     \cgalParamDescription{an object whose type is used, default constructed, for all sparse systems;
                           they are symmetric and positive definite}
     \cgalParamType{a class model of `SparseLinearAlgebraWithFactorTraits_d`}
-    \cgalParamDefault{Where the macro `CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE` is defined,
-                      `CGAL::Eigen_solver_traits` of `Eigen::CholmodDecomposition`, which needs
-                      \ref thirdpartyEigen "Eigen" and SuiteSparse; elsewhere that of
-                      `Eigen::SimplicialLDLT`, which needs \ref thirdpartyEigen "Eigen" alone.}
+    \cgalParamDefault{`CGAL::Eigen_solver_traits` of `Eigen::SimplicialLDLT`, which needs
+                      \ref thirdpartyEigen "Eigen". If the macro
+                      `CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE` is defined, of
+                      `Eigen::CholmodDecomposition`, which needs SuiteSparse as well.}
     \cgalParamExtra{The CMake target `Seamless_snapping::SuiteSparse_support` defines the macro and
                     links SuiteSparse. With it and OpenBLAS, meshes of 100,000 faces take a third of
                     the time; with the reference BLAS, nothing is gained.}
@@ -461,8 +450,8 @@ report.
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is called with a line of text after each step, and about each second of
-                          long ones, in the calling thread. What it throws ends the work, and passes
-                          on to the caller; no map has been touched then.}
+                          long ones, in the calling thread. An exception that it throws ends the
+                          work and passes on to the caller; no map has been touched then.}
     \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
     \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
   \cgalParamNEnd
@@ -485,20 +474,16 @@ report.
         .
         The message names the place; it counts faces in the order of `faces(tmesh)`, from 0.
 
-For each component, the indices of the field's cones and the quarter turns of the borders
-against the field have been verified to add up to \f$ 4 \chi \f$, in integers. Without flips, the
-indices that are reported are those of the map: untangling can change them by 4, as at a spike. It
-does not change indices that are given.
-
-The cost is that of sparse Cholesky factorizations with twice as many rows as `tmesh` has vertices:
-one, and one for each stiffening round. The field takes three, with twice as many rows as `tmesh`
-has faces, but for at most 50,000 faces or clusters of them; beyond, it is smoothed on finer and
-finer clusters in linear time. On surface meshes this is somewhat more than linear; the benchmark
-`parametrization_table` measures it, with `--subdivide` for larger meshes.
+For each component, the function verifies in integers that the indices of the cones and the quarter
+turns of the borders add up to \f$ 4 \chi \f$. If no face is flipped, the indices in the report are
+the indices of the map. Otherwise, untangling can change an index by 4. It does not change given
+indices.
 
 \par Complexity
-Some sparse factorizations with an unknown or two for each face or vertex; in addition at most
-`number_of_untangling_iterations` iterations over all faces, where triangles are flipped.
+Sparse Cholesky factorizations: three with twice as many rows as faces for the field, and one with
+twice as many rows as vertices for the coordinates and for each stiffening round. The field of a
+large mesh is computed by levels in linear time. Untangling adds at most
+`number_of_untangling_iterations` iterations over all faces.
 
 \sa `snap_to_seamless()`
 */

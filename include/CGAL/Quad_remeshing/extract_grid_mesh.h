@@ -33,30 +33,25 @@ namespace Quad_remeshing {
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-extracts the quad mesh that an exactly seamless integer-grid map describes: its vertices are the
-points of the surface with integer coordinates, its edges the pieces of isocurves between them.
+extracts the quad mesh of an exactly seamless integer-grid map: its vertices are the points of the
+surface with integer coordinates, and its edges are the pieces of isocurves between them.
 
-If the map is exactly seamless with integer translations, all cones have integer coordinates, border
-edges lie on isocurves of integer coordinates, and all faces are positive in the domain, then the
-result is a mesh of quads only, homeomorphic to the surface, whose number of quads is the area of
-the map, and in which a vertex has valence \f$ 4 - i \f$ at a cone of index \f$ i \f$ and 4
-elsewhere inside. All these conditions are checked before, and all these results are checked after
-the extraction, exactly; on success they hold. All decisions in between are comparisons and
-orientation tests that are exact. There is no tolerance, and nothing is repaired:
-`repair_integer_grid()` does so.
+\par Guarantee
+If all translations are integers, all cones have integer coordinates, all border edges lie on
+isocurves of integer coordinates, and all faces are positive in the domain, then the result is a
+mesh of quads that is homeomorphic to the surface. The number of quads is the area of the map. An
+inner vertex has valence \f$ 4 - i \f$ at a cone of index \f$ i \f$, and 4 elsewhere. The function
+checks all these conditions before the extraction and all these results after it, exactly. It uses
+no tolerance and repairs nothing; `repair_integer_grid()` does that. If the extraction fails,
+nothing is written. The result is the same, to the bit, for any number of threads.
 
-Beyond that:
-- Cones between the lines of the grid are allowed (those of index 1 and -1 with half-integer
-  coordinates, for instance): around a cone of index \f$ i \f$ the cell of the grid has
-  \f$ 4 - i \f$ corners. `Extraction_report::number_of_other_polygons` counts such cells.
-- Where the border does not lie on the grid, the result consists of the cells that the border leaves
-  whole; the others are counted.
-- Connected parts of the surface do not concern each other.
-- A result with loops or double edges, as coarse grids have them, is no face graph, and refused;
-  `extract_quad_soup()` gives it.
-
-The result is added to what is in `quads`. It is the same, to the bit, for any number of threads.
-Nothing is written unless the extraction succeeds.
+\par Other maps
+- A cone of index \f$ i \f$ between the lines of the grid, for example at half-integers, gives a
+  cell with \f$ 4 - i \f$ corners. `Extraction_report::number_of_other_polygons` counts such cells.
+- If the border does not lie on the grid, the result consists of the whole cells. The report counts
+  the others.
+- A result with loops or double edges, as from a coarse grid, is no face graph, and refused.
+  `extract_quad_soup()` returns it.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
         `CGAL::Parallel_tag`, which does not compile unless TBB is linked. Unless it is
@@ -74,7 +69,8 @@ Nothing is written unless the extraction succeeds.
        `target(h)`. Values of border halfedges are not read.
 \param quads the mesh that the quads are added to
 \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below, and those of `seam_transitions()`; `rotational_symmetry` must be of order 4, 2, or 1
+       below, and the parameters of `seam_transitions()`; `rotational_symmetry` must be of order 4,
+       2, or 1
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
@@ -86,8 +82,8 @@ Nothing is written unless the extraction succeeds.
   \cgalParamNEnd
   \cgalParamNBegin{grid_scale}
     \cgalParamDescription{a positive number that the coordinates are multiplied by first. The
-                          products must be exact, as those with powers of two are; see
-                          `snap_to_seamless()` for others.}
+                          products must be exact, as for powers of two. For other numbers, see
+                          `snap_to_seamless()`.}
     \cgalParamType{`double`}
     \cgalParamDefault{1}
   \cgalParamNEnd
@@ -98,7 +94,8 @@ Nothing is written unless the extraction succeeds.
     \cgalParamExtra{More than \f$ 2^{28} \f$ quads are always refused.}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the feature edges. Those on lines of the grid become edges of quads.}
+    \cgalParamDescription{the feature edges. Feature edges on lines of the grid become edges of
+                          quads.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
@@ -125,8 +122,8 @@ Nothing is written unless the extraction succeeds.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, quads)`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_location_map}
-    \cgalParamDescription{receives for each new vertex where it lies on the input: a face, and its
-                          barycentric coordinates there, in the order of
+    \cgalParamDescription{receives for each new vertex its place on the input: a face and
+                          barycentric coordinates, in the order of
                           `CGAL::Polygon_mesh_processing::Face_location`}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and
@@ -153,7 +150,7 @@ Nothing is written unless the extraction succeeds.
 \cgalNamedParamsEnd
 
 \return the outcome and figures; converts to `true` if and only if the quads were written.
-        Otherwise `Extraction_report::status` is what `Seam_transitions::failure()` can be, or
+        Otherwise `Extraction_report::status` is a status of `Seam_transitions::failure()`, or
         - `INVALID_ARGUMENT`: the mesh has no face, or the coordinates times `grid_scale` are not
           exact;
         - `NOT_FINITE`: a coordinate of a point is NaN or infinite;
@@ -171,7 +168,7 @@ Nothing is written unless the extraction succeeds.
 
 \par Complexity
 Linear in the number of faces, of quads, and of intersections of edges of the mesh with lines of the
-grid; with a logarithmic factor where a face contains many vertices of quads.
+grid; with a logarithmic factor if a face contains many vertices of quads.
 
 \sa `extract_quad_soup()`
 \sa `is_integer_grid_map()`
@@ -197,7 +194,7 @@ Extraction_report extract_quad_mesh(const TriangleMesh& tmesh, HalfedgeUVMap uv_
 \ingroup PkgQuadRemeshingQuads
 
 extracts the same quads as `extract_quad_mesh()`, as points and lists of indices. Loops and double
-edges are no obstacle here. Template parameters that are not listed are as there.
+edges are allowed here. Template parameters that are not listed are as there.
 
 \tparam PointRange a model of `BackInsertionSequence` of three-dimensional points
 \tparam PolygonRange a model of `BackInsertionSequence` whose value type is constructed from a pair
@@ -209,8 +206,8 @@ edges are no obstacle here. Template parameters that are not listed are as there
 \param uv_map the coordinates of each corner, as for `extract_quad_mesh()`
 \param points the points of the quads are added to it
 \param polygons the quads, and the other cells, are added to it
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
-       `extract_quad_mesh()` for `np1`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": the
+       parameters of `extract_quad_mesh()` for `np1`
 
 \return as `extract_quad_mesh()`, but never `NO_FACE_GRAPH`; `NOT_INTEGER` also if there are cells
         that `std::array` can't hold
@@ -255,11 +252,11 @@ auto with_six_directions(const NamedParameters& np)
 extracts the triangle mesh that an exactly seamless integer-grid map in lattice coordinates
 describes, as `snap_to_seamless()` makes them with `integer_grid(true)` and `rotational_symmetry` of
 order 6 or 3: its vertices are the points of the surface with integer coordinates, its edges the
-pieces of isocurves of \f$ u \f$, \f$ v \f$, and \f$ u + v \f$ between them. Where the map
+pieces of isocurves of \f$ u \f$, \f$ v \f$, and \f$ u + v \f$ between them. If the map
 preserves angles, the triangles are nearly equilateral.
 
-What `extract_quad_mesh()` asks of a map, checks, and allows beyond that, holds here with triangles
-and the lattice in place of quads and the grid. The number of triangles is twice the area of the
+Conditions, checks, and exceptions are the same as for `extract_quad_mesh()`, with triangles and the
+lattice in place of quads and the grid. The number of triangles is twice the area of the
 map, in lattice coordinates, and a vertex has valence \f$ 6 - i \f$ at a cone of index \f$ i \f$,
 in sixths of a turn, and 6 elsewhere inside.
 - Only angles of 720 degrees and other multiples of 360 degrees can have a cone between the lines of
@@ -275,7 +272,7 @@ Template parameters that are not listed are as there.
 \param uv_map the coordinates of each corner, as for `extract_quad_mesh()`
 \param triangles the mesh that the triangles are added to
 \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the one listed
-       below, and those of `extract_quad_mesh()`
+       below, and the parameters of `extract_quad_mesh()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{rotational_symmetry}
@@ -285,14 +282,14 @@ Template parameters that are not listed are as there.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
-       `extract_quad_mesh()` for `np2`; indices of cones are in sixths of a turn
+\param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": the
+       parameters of `extract_quad_mesh()` for `np2`; indices of cones are in sixths of a turn
 
 \return the outcome and figures, as for `extract_quad_mesh()`
 
 \par Complexity
 Linear in the number of faces, of triangles that are written, and of intersections of edges of the
-mesh with lines of the lattice; with a logarithmic factor where a face contains many of its points.
+mesh with lines of the lattice; with a logarithmic factor if a face contains many of its points.
 
 \sa `extract_triangle_soup()`
 \sa `extract_quad_mesh()`
@@ -319,7 +316,7 @@ Extraction_report extract_triangle_mesh(const TriangleMesh& tmesh, HalfedgeUVMap
 \ingroup PkgQuadRemeshingQuads
 
 extracts the same triangles as `extract_triangle_mesh()`, as points and lists of indices. Loops and
-double edges are no obstacle here. Template parameters that are not listed are as there.
+double edges are allowed here. Template parameters that are not listed are as there.
 
 \tparam PointRange a model of `BackInsertionSequence` of three-dimensional points
 \tparam PolygonRange a model of `BackInsertionSequence` whose value type is constructed from a pair
@@ -331,8 +328,8 @@ double edges are no obstacle here. Template parameters that are not listed are a
 \param uv_map the coordinates of each corner, as for `extract_triangle_mesh()`
 \param points the points of the triangles are added to it
 \param polygons the triangles, and the other cells, are added to it
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
-       `extract_triangle_mesh()` for `np1`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": the
+       parameters of `extract_triangle_mesh()` for `np1`
 
 \return as `extract_quad_soup()`
 

@@ -42,7 +42,7 @@ namespace Quad_remeshing {
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-What `measure_integer_grid()` returns. The counts are exact; distances and the area are computed in
+The result of `measure_integer_grid()`. The counts are exact; distances and the area are computed in
 floating point.
 */
 struct Integer_grid_measure
@@ -52,12 +52,12 @@ struct Integer_grid_measure
   bool is_exactly_seamless = false; ///< whether all transitions hold exactly
   std::size_t number_of_noninteger_cuts = 0; ///< cut edges whose translation is no integer
   std::size_t number_of_cones = 0; ///< interior vertices whose angle is not 360 degrees
-  std::size_t number_of_half_integer_cones = 0; ///< those both of whose coordinates are
-  std::size_t number_of_noninteger_cones = 0;   ///< all those that are no point of the grid
+  std::size_t number_of_half_integer_cones = 0; ///< cones at half-integers
+  std::size_t number_of_noninteger_cones = 0;   ///< cones that are no point of the grid
   std::size_t number_of_aligned_edges = 0; ///< edges that were asked to be aligned
-  std::size_t number_of_unaligned_edges = 0; ///< those of them that lie on no line of the grid
-  /// border edges that cut cells of the grid: those that lie on no line of it, or lead to the end
-  /// of a slit that is no point of it
+  std::size_t number_of_unaligned_edges = 0; ///< aligned edges off the lines of the grid
+  /// border edges that cut cells of the grid: they lie on no line of it, or lead to the end of a
+  /// slit that is no point of it
   std::size_t number_of_border_edges_off_grid = 0;
   /// faces that are flipped or degenerate in the domain
   std::size_t number_of_nonpositive_faces = 0;
@@ -69,8 +69,8 @@ struct Integer_grid_measure
   double area = 0;
 
   /// returns `true` if and only if the map is an integer-grid map, exactly, so that whole cells of
-  /// the grid cover the surface. Orientations are not looked at; but around flipped faces, angles
-  /// do not add up to what they were, and tell of cones that are no points of the grid.
+  /// the grid cover the surface. Orientations are not checked, but flipped faces change the
+  /// angles around their vertices, which can then count as cones off the grid.
   explicit operator bool() const
   {
     return is_exactly_seamless && number_of_noninteger_cuts == 0 &&
@@ -166,12 +166,13 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, const Halfe
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-measures how far a parametrization is from an integer-grid map: an exactly seamless one whose
-translations and cones have integer coordinates, and in which the border and the edges that are
-asked for lie on isocurves of integer coordinates. Border vertices at which such an isocurve ends,
-where the angle is 360 degrees or more, have integer coordinates, too. With `rotational_symmetry` of
-order 3 and 6, coordinates are those of the triangular lattice, and \f$ u + v \f$ is one for the
-latter.
+measures how far a parametrization is from an integer-grid map.
+
+An integer-grid map is exactly seamless. Its translations are integers, its cones have integer
+coordinates, and its border and aligned edges lie on isocurves of integer coordinates. If such an
+isocurve ends at a border vertex with an angle of 360 degrees or more, this vertex has integer
+coordinates, too. With `rotational_symmetry` of order 3 or 6, coordinates are lattice coordinates;
+with order 6, isocurves of \f$ u + v \f$ count as well.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -182,7 +183,7 @@ latter.
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below, and those of `seam_transitions()`
+       below, and the parameters of `seam_transitions()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
@@ -218,10 +219,10 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-returns `true` if and only if a parametrization is an integer-grid map, exactly; see
-`measure_integer_grid()`, whose parameters it has. Then whole cells of the grid cover the surface:
-the extraction leaves out none of them. Orientations are not looked at, but for what flipped faces
-make of the angles around their vertices.
+returns `true` if and only if a parametrization is an integer-grid map, exactly. Then whole cells of
+the grid cover the surface, and the extraction leaves out none of them. Parameters are the same as
+for `measure_integer_grid()`. Orientations are not checked, but flipped faces change the angles
+around their vertices.
 
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 

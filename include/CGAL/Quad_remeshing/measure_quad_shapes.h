@@ -36,8 +36,8 @@ namespace Quad_remeshing {
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-measures how well the quads of a mesh are shaped, such as those that another program has made, by
-the figures of `Remeshing_report`. Other faces are left out.
+measures the shapes of the quads of any mesh, by the same figures as `Remeshing_report`. Faces that
+are no quads are left out.
 
 \tparam QuadMesh a model of `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -56,7 +56,7 @@ the figures of `Remeshing_report`. Other faces are left out.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the figures; those of `Quad_shapes()` where no face is a quad
+\return the figures; `Quad_shapes()` if no face is a quad
 
 \par Complexity
 Linear in the size of the mesh.

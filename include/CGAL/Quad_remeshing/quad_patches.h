@@ -73,18 +73,18 @@ std::optional<Refusal> defect_of_quads(const QuadMesh& mesh, const NamedParamete
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-divides a quad mesh into rectangles of quads, as fitting splines asks for.
+divides a quad mesh into rectangles of quads, for example to fit splines.
 
-The patches are those of `motorcycle_graph()` for the map in which each quad is a unit square:
-curves start at irregular vertices, and at the vertices at which borders and features end, meet, or
-turn; they run along edges, all at the same speed, and end at these vertices, at borders and
-features, and where they meet a curve that has been there before. So a vertex of one patch can lie
-inside of a side of another: a T-junction. With `curve_stop_policy(Run_to_nodes())`, curves run on
-across each other; then there are no T-junctions, except at features, but more patches. A part
-between borders and features that has none of these vertices gets one.
+The patches are the patches of `motorcycle_graph()` for the map in which each quad is a unit square.
+Curves start at irregular vertices, and at vertices at which borders and features end, meet, or
+turn. They run along edges, all at the same speed, and end at such vertices, at borders and
+features, and at curves that were there first. A T-junction is a vertex of one patch inside of a
+side of another. With `curve_stop_policy(Run_to_nodes())`, curves cross each other; then there are
+more patches, and T-junctions at features only. If a part between borders and features has no start
+of a curve, the function chooses a vertex there.
 
-Nothing is computed but combinatorics. That each patch is a rectangle of quads is checked
-afterwards, and that each quad is in one.
+The computation is combinatorial. At the end, the function checks that each patch is a rectangle of
+quads, and that each quad is in one patch.
 
 \tparam QuadMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -103,7 +103,7 @@ afterwards, and that each quad is in one.
     \cgalParamDefault{no edge is}
   \cgalParamNEnd
   \cgalParamNBegin{curve_stop_policy}
-    \cgalParamDescription{whether curves end where they meet others}
+    \cgalParamDescription{whether curves end at curves that they meet}
     \cgalParamType{`Stop_at_curves` or `Run_to_nodes`}
     \cgalParamDefault{`Stop_at_curves()`}
   \cgalParamNEnd
@@ -124,9 +124,9 @@ afterwards, and that each quad is in one.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the patches, or why there are none: `INVALID_ARGUMENT`, where there is no face, or one that
-        is no quad, whose number in the order of iteration is named; or `NOT_MANIFOLD`, where the
-        faces around a vertex form several fans.
+\return the patches. If there are none, `Quad_patches::status` is `INVALID_ARGUMENT`, if there is no
+        face or if a face is no quad, or `NOT_MANIFOLD`, if the faces around a vertex form several
+        fans. The message names the face or vertex, in the order of iteration.
 
 \par Complexity
 Linear in the size of the mesh.
@@ -177,7 +177,7 @@ the patch.
 
 \param patch one of the patches that `quad_patches()` has returned for the mesh
 \param mesh the mesh
-\param out where the vertices are written to
+\param out receives the vertices
 
 \return the iterator behind the last one
 

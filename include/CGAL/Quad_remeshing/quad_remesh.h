@@ -216,20 +216,20 @@ the function returns the best result so far, and the message says so.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number}
-    \cgalParamDescription{the largest number of quads: where features and cones force more than so
-                          many, this is said, and nothing is made}
+    \cgalParamDescription{the largest number of quads. If features and cones force more, the
+                          function fails, and the message says so.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{a hundred times the number wanted, and at least 100,000}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_feature_loss}
-    \cgalParamDescription{which part of the length of all features may be released where these force
-                          more quads than wanted: see `quantize()`. The report lists them.}
+    \cgalParamDescription{the part of the length of all features that may be released if features
+                          force more quads than wanted; see `quantize()`. The report lists them.}
     \cgalParamType{`double`, from 0 to 1}
     \cgalParamDefault{`0`: all are kept}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the feature edges; `remove_feature_noise()` removes those that are not
-                          worth their price}
+    \cgalParamDescription{the feature edges; `remove_feature_noise()` unmarks feature edges that are
+                          noise}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
@@ -237,52 +237,48 @@ the function returns the best result so far, and the message says so.
   \cgalParamNEnd
   \cgalParamNBegin{curvature_alignment}
     \cgalParamDescription{how strongly the quads follow the principal directions of curvature: see
-                          `approximate_seamless_parametrization()`. By default they do so where
-                          this costs little: along sharp edges that are no features, and around
-                          round parts.}
+                          `approximate_seamless_parametrization()`. The default is small: quads run
+                          along sharp edges that are no features, and around round parts.}
     \cgalParamType{`double`, 0 or at least 1e-9, or a `std::optional` of it}
-    \cgalParamDefault{`0.002`, and 100 divided by the number of faces of more than 50,000; `0` where
-                      sizes vary, which direct the field then}
+    \cgalParamDefault{`0.002`, and less for large meshes; `0` if sizes vary, which direct the field
+                      then}
   \cgalParamNEnd
   \cgalParamNBegin{border_tolerance}
-    \cgalParamDescription{how far straight lines may be from the border that stand in for it, where
-                          they save a loop a quarter of its corners: the border of the quads does
-                          not turn at steps that are smaller, as those of cells along which a
-                          height field ends. The vertices of the quads lie on the border as it is.
-                          Lines are nowhere farther than a quarter of the extent of their loop, and
-                          don't stand in for what is narrow but deep, where they would meet in an
-                          angle of less than 45 degrees. Vertices at which inner features end stay.
-                          The report counts the corners that are left out.}
+    \cgalParamDescription{the largest size of steps of the border that the quads ignore, for example
+                          of the cells along which a height field ends. The parametrization sees
+                          straight lines within this distance of the border, if they have far
+                          fewer corners; the vertices of the quads still lie on the border. Narrow
+                          and deep slots are kept. The report counts the corners that are left
+                          out.}
     \cgalParamType{`double`, not negative, or a `std::optional` of it}
-    \cgalParamDefault{half of the length of the edges that are wanted; `0`, which leaves out none,
-                      where sizes vary or quads are to be few}
+    \cgalParamDefault{half of the wanted edge length; `0`, which ignores no step, if sizes vary
+                      or with `minimize_number_of_quads`}
   \cgalParamNEnd
   \cgalParamNBegin{curvature_adaptivity}
     \cgalParamDescription{by how much sizes may vary with curvature, as the ratio of the largest to
-                          the smallest: where a surface is more curved, quads are smaller, by the
-                          root of curvature. `vertex_sizing_map` is multiplied by it.}
+                          the smallest size. Quads are smaller on more curved parts, by the root
+                          of the curvature. `vertex_sizing_map` is multiplied by it.}
     \cgalParamType{`double`, at least 1}
     \cgalParamDefault{`1`}
   \cgalParamNEnd
   \cgalParamNBegin{face_direction_map}
     \cgalParamDescription{a property map that associates to each face a direction of its cross, in
-                          space: what is perpendicular to the face does not count. A face with the
-                          direction 0, or one that is perpendicular up to a millionth, is free: the
-                          field is smooth there. So a few directions are guides, and one for each
-                          face is a field of one's own, from which the cones follow. Features go
-                          first.}
+                          space. The function projects it to the face. A face with the direction 0,
+                          or with a direction perpendicular to the face, is free: the field is
+                          smooth there. A few directions guide the field; a direction for each
+                          face prescribes the field and its cones. Features take precedence.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and `%Vector_3`
                    as value type}
     \cgalParamDefault{all faces are free}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_sizing_map}
-    \cgalParamDescription{a property map that associates to each vertex how long the edges of quads
-                          are to be there. With `target_number_of_quads`, only the ratios of the
-                          sizes count; with `target_edge_length`, they are multiples of that. What
-                          varies costs cones: the field is the smoothest one where lengths are
-                          measured by the sizes. Where the field is given, or cones can't be had,
-                          sizes are met as far as the field allows.}
+    \cgalParamDescription{a property map that associates to each vertex the wanted length of edges
+                          of quads there. With `target_number_of_quads`, only the ratios of the
+                          sizes count; with `target_edge_length`, they are multiples of that
+                          length. The field is the smoothest one of the metric that is scaled by
+                          the sizes, so varying sizes cost cones. If `face_direction_map` gives
+                          the field, sizes are met as far as the field allows.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
                    as value type}
@@ -291,15 +287,13 @@ the function returns the best result so far, and the message says so.
                     one, is refused.}
   \cgalParamNEnd
   \cgalParamNBegin{symmetry_plane}
-    \cgalParamDescription{a plane by which the result is its own mirror image: the part of the
-                          surface on its positive side is remeshed, aligned to the cut, and
-                          mirrored. Of what is on its negative side, only the area counts, where
-                          a length tells how many quads there are to be. See
-                          `find_symmetry_plane()`.}
+    \cgalParamDescription{a plane by which the result is its own mirror image. The part of the
+                          surface on the positive side is remeshed, aligned to the cut, and
+                          mirrored; the other part is replaced. See `find_symmetry_plane()`.}
     \cgalParamType{`%Plane_3` or `std::optional<%Plane_3>`}
     \cgalParamDefault{none}
-    \cgalParamExtra{Points are mirrored exactly by the coordinate planes; by others, each is the
-                    image of the other, rounded to `double`.}
+    \cgalParamExtra{Coordinate planes mirror points exactly. By other planes, mirrored points are
+                    rounded to `double`.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_relaxation_steps}
     \cgalParamDescription{the number of rounds of smoothing, at most 1,000; 0 for none}
@@ -320,8 +314,8 @@ the function returns the best result so far, and the message says so.
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is called with a line of text after each step, and about each second of
-                          long ones, in the calling thread. What it throws ends the work, and passes
-                          on to the caller; `quads` is untouched then.}
+                          long ones, in the calling thread. An exception that it throws ends the
+                          work and passes on to the caller; `quads` is untouched then.}
     \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
     \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
   \cgalParamNEnd
@@ -339,13 +333,11 @@ the function returns the best result so far, and the message says so.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, quads)`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_location_map}
-    \cgalParamDescription{receives for each new vertex where it lies on the input: a face, and its
-                          barycentric coordinates there, in the order of
-                          `CGAL::Polygon_mesh_processing::Face_location`, so that whatever hangs on
-                          the input can be interpolated. Among the faces that are nearest, as at an
-                          edge, any may be taken; and where the nearest one faces against the quads
-                          around, as on a plate that is thin against them, one on their side, up to
-                          half of their size away.}
+    \cgalParamDescription{receives for each new vertex its place on the input, to interpolate
+                          attributes: a face and barycentric coordinates, in the order of
+                          `CGAL::Polygon_mesh_processing::Face_location`. At an edge, any of the
+                          nearest faces may be taken. On thin plates, the face is on the same side
+                          as the quads, even if a face of the other side is nearer.}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and
                    `std::pair<boost::graph_traits<TriangleMesh>::%face_descriptor,
@@ -372,7 +364,7 @@ the function returns the best result so far, and the message says so.
 \cgalNamedParamsEnd
 
 \return the outcome, and figures of the result; converts to `true` if and only if the quads were
-        written. Otherwise `Remeshing_report::status` is what that of the step which failed is:
+        written. Otherwise `Remeshing_report::status` is the status of the step that failed:
         - `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_MANIFOLD`, `NOT_FINITE`, `SOLVER_FAILED`, and,
           at degenerate faces, `INVALID_ALIGNMENT`: as for
           `approximate_seamless_parametrization()` and, for numbers of quads, `quantize()`;
@@ -420,32 +412,32 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-makes the quads of a quantization, in the shape that the other overload gives to those of its own
-map. Where border edges lie on no isocurve, so that two sides of quads follow each, edges next to
-them are moved until as many quads meet at the vertices of the border as its angles ask for.
+makes the quads of a quantization, and moves their vertices as the other overload does.
+
+If border edges lie on no isocurve, two sides of quads follow each of them. The function then
+changes edges next to the border until as many quads meet at each border vertex as its angle asks
+for.
 
 \tparam TriangleMesh as for the other overload
 \tparam QuadMesh as for the other overload
 \tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
 \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param quantization a quantization, of which `quantize()` says that it succeeded, with
-       `needs_face_graph`
+\param quantization a successful result of `quantize()`, with `needs_face_graph`
 \param tmesh the mesh that has been quantized, not changed since
 \param quads the mesh that the quads are added to
-\param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the other
-       overload that concern the shape and the mesh, which are `number_of_relaxation_steps`,
-       `vertex_point_map`, `verbose`, and `visitor`. Features are those of the quantization.
-\param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": those of the other
+\param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" of the
+       other overload that concern the shape and the mesh: `number_of_relaxation_steps`,
+       `vertex_point_map`, `verbose`, and `visitor`. Features are the features of the quantization.
+\param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters" of the other
        overload
 
-\return as the other overload, without what concerns parametrization and features, of which the
-        quantization tells; if no quads were written, `Remeshing_report::status` is what that of
-        `extract_quad_mesh()` of a quantization can be
+\return as the other overload, without the figures of parametrization and features. If no quads were
+        written, `Remeshing_report::status` is a status of `extract_quad_mesh()` of a quantization.
 
 \par Complexity
-That of the extraction, and about 100 searches for the nearest place on `tmesh` for each quad and,
-where quads are thin, for each of several rounds.
+As for the extraction, and a bounded number of searches for the nearest place on `tmesh` for each
+quad.
 
 \sa `quantize()`
 */

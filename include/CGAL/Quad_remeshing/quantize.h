@@ -220,24 +220,28 @@ std::size_t close_folds(QuadMesh& quads, const Holes& holes_before)
 \ingroup PkgQuadRemeshingQuads
 
 quantizes an exactly seamless map: finds an all-quad mesh of the surface whose edges follow the map,
-at any scale. Neither a solver for integer programs nor a tolerance is involved.
+at any scale. It needs neither a solver for integer programs nor a tolerance.
 
-The vertices that are no cones, corners, or ends of features are removed from the triangulation,
-exactly; what remains is a coarse triangulation, whose edges are the vectors between cones. These
-become vectors of integers, such that all triangles close, match across edges, and stay positive.
-`extract_quad_mesh()` takes the quads from that, and finds where their vertices lie on the input.
+The function removes all vertices from the triangulation that are neither cones nor corners nor ends
+of features, exactly. The remaining coarse triangulation has vectors between cones as edges. These
+become vectors of integers such that all triangles close, match across edges, and stay positive.
+`extract_quad_mesh()` of the result makes the quads.
 
-It succeeds for each exactly seamless map of positive faces, unless numbers exceed 64 bits. Near the
-origin, coordinates may have finer bits than such numbers hold beside the largest coordinate. Then a
-copy of the map is moved by a power of two, which rounds it, and snapped again; only where faces are
-too thin for that, the map is refused.
+\par Guarantee
+The function succeeds for each exactly seamless map of positive faces, unless numbers exceed 64
+bits. If coordinates near the origin are too fine for 64 bits, it moves a copy of the map, which
+rounds it, and snaps the copy; it refuses the map only if faces are too thin for that.
 
-Border edges that lie on no isocurve are followed by two sides of quads each, whose common vertex
-lies on the edge, and counted; edges that are off by less than 1e-4 of their length are meant to be
-aligned, and refused. Where the scale wanted is too coarse for integers to be found there, the
-search starts at a finer one and comes back as far as it can; so the number of quads can exceed the
-one wanted, by far where cones lie close together. Above `maximum_number` of them the status is
-`TOO_LARGE`, and the message tells which number would work.
+\par Border
+A border edge that lies on no isocurve is followed by two sides of quads, whose common vertex lies
+on the edge. The report counts such edges. If a border edge is nearly, but not exactly, on an
+isocurve, the map is refused.
+
+\par Number of quads
+If no integers exist at the wanted scale, the search starts at a finer scale and comes back as far
+as it can. So the number of quads can exceed the wanted one, by far if cones lie close together. If
+it exceeds `maximum_number`, the status is `TOO_LARGE`, and the message has the number that would
+work.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -248,7 +252,8 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below, and those of `seam_transitions()`; `rotational_symmetry` must be of order 4, 2, or 1
+       below, and the parameters of `seam_transitions()`; `rotational_symmetry` must be of order 4,
+       2, or 1
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{target_number_of_quads}
@@ -262,9 +267,9 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
     \cgalParamDefault{not used; `1` with `vertex_sizing_map` and without a number}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_sizing_map}
-    \cgalParamDescription{the lengths at the vertices of `tmesh`, in multiples of
-                          `target_edge_length`, for which the map was made: they tell how many quads
-                          there are to be}
+    \cgalParamDescription{the wanted edge lengths at the vertices of `tmesh`, in multiples of
+                          `target_edge_length`, for which the map was made. They determine the
+                          number of quads.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
                    as value type}
@@ -277,29 +282,29 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{needs_face_graph}
-    \cgalParamDescription{whether the quads have to form a face graph. Coarse ones can meet
-                          themselves, or each other twice, which no face graph can hold; then the
-                          least larger number of quads that form one is searched for, as
-                          `quad_remesh()` does.}
+    \cgalParamDescription{whether the quads have to form a face graph. Coarse quads can meet
+                          themselves, or each other twice, which no face graph can hold. Then the
+                          function searches for the smallest larger number of quads that form one.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number}
-    \cgalParamDescription{the largest number of quads: where cones and features force more than so
-                          many, this is said, and nothing is made}
+    \cgalParamDescription{the largest number of quads. If cones and features force more, the
+                          function fails, and the message says so.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{a hundred times the number wanted, and at least 100,000}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_feature_loss}
-    \cgalParamDescription{where features force more than 1.1 times the number of quads wanted: which
-                          part of their length, measured in the map, may be released. Those that
-                          force most for their length go first, in at most eight rounds, until there
-                          are about as many quads as wanted; the report lists them.}
+    \cgalParamDescription{the part of the length of all features, measured in the map, that may be
+                          released if features force more quads than wanted. The features that
+                          force most for their length go first, until there are about as many
+                          quads as wanted. The report lists them.}
     \cgalParamType{`double`, from 0 to 1}
     \cgalParamDefault{`0`: all are kept}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the feature edges. Those on isocurves become chains of edges of quads.}
+    \cgalParamDescription{the feature edges. Feature edges on isocurves become chains of edges of
+                          quads.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
@@ -318,14 +323,15 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
     \cgalParamDefault{`false`; not read with a `visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told of the work that is spent, as by `quad_remesh()`, and may end it}
+    \cgalParamDescription{is called with the progress of the search, as by `quad_remesh()`, and may
+                          end it}
     \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
     \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the quantization; converts to `true` if and only if there is one. Otherwise
-        `Quantization::status` is what `Seam_transitions::failure()` can be, or
+        `Quantization::status` is a status of `Seam_transitions::failure()`, or
         - `INVALID_ARGUMENT`: the mesh has no face, the number of quads is less than 1 or more than
           \f$ 2^{28} \f$ or `maximum_number`, the length is not positive, or
           `maximum_feature_loss` is not from 0 to 1;
@@ -335,15 +341,15 @@ one wanted, by far where cones lie close together. Above `maximum_number` of the
         - `TOO_LARGE`: there would be more quads than `maximum_number`, or integers of 64 bits do
           not hold the coordinates;
         - `INTERNAL_ERROR`: the integers failed the check at the end.
-        .
-        The message names the place and the remedy; after success, it tells of quads that features
-        force, of features that were released, and of border edges off isocurves.
+        . The message names the place and the remedy. After success, it reports quads that features
+        force, released features, and border edges off isocurves.
 
 \par Complexity
-Linear in the number of faces, but for a logarithmic factor, until the coarse triangulation is
-found; then a shortest path on that for each move. Its size depends on the cones, corners, features,
-and border edges off isocurves only. All moves together have the bound that `quad_remesh()` tells
-of: where it is spent, the first quads that are found are taken, and the message tells so.
+Linear in the number of faces, except for a logarithmic factor, until the coarse triangulation is
+found. Then a shortest path on the coarse triangulation for each move; its size depends on the
+numbers of cones, corners, features, and border edges off isocurves only. All moves together have a
+bound on their work. If it is spent, the function returns the first quads that it finds, and the
+message says so.
 
 \sa `snap_to_seamless()`
 \sa `quad_remesh()`
@@ -363,25 +369,25 @@ Quantization quantize(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-finds another number of quads for a map that has been quantized: what `quantize()` has read, checked
-and made coarse is used again, so that only the search for integers is left. The result is the one
-that `quantize()` returns for the map, to the bit.
+finds another number of quads for a map that has been quantized. The coarse triangulation of
+`quantize()` is used again, so only the search for integers is left. The result is the same as from
+`quantize()`, to the bit.
 
 \tparam TriangleMesh as for `quantize()`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param quantization a quantization, of which `quantize()` says that it succeeded
+\param quantization a successful result of `quantize()`
 \param tmesh the mesh that has been quantized, not changed since
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `quantize()`
-       for the number of quads, which are `target_number_of_quads`, `target_edge_length`,
-       `minimize_number_of_quads`, `needs_face_graph`, `maximum_number`, and `maximum_feature_loss`,
-       which releases further features; `vertex_sizing_map` and `vertex_point_map`, which
-       `target_edge_length` needs; and `verbose` and `visitor`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": the parameters of
+       `quantize()` for the number of quads, which are `target_number_of_quads`,
+       `target_edge_length`, `minimize_number_of_quads`, `needs_face_graph`, `maximum_number`, and
+       `maximum_feature_loss`, which releases further features; `vertex_sizing_map` and
+       `vertex_point_map`, which `target_edge_length` needs; and `verbose` and `visitor`
 
-\return as `quantize()`; `INVALID_ARGUMENT` also if `quantization` is none
+\return as `quantize()`; `INVALID_ARGUMENT` also if `quantization` has failed
 
 \par Complexity
-That of `quantize()` once the coarse triangulation is found.
+As for `quantize()`, without the computation of the coarse triangulation.
 
 \sa `quantize()`
 */
@@ -402,14 +408,16 @@ Quantization quantize_again(const Quantization& quantization, const TriangleMesh
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-extracts the quads of a quantization. They are all quads, and form a mesh that is homeomorphic to
-the surface: see `extract_quad_mesh()` of a map for what is checked. The vertices lie on the input.
-If they do not form a face graph, nothing is written; with `needs_face_graph`, they do, once quads
-around vertices of one edge are left out, and the two other sides of each are made one edge. Then
-elements of `quads` are removed: a `CGAL::Surface_mesh` has garbage, for its `%collect_garbage()`.
-Template parameters are those of the extraction from a map.
+extracts the quads of a quantization. All faces are quads, and they form a mesh that is homeomorphic
+to the surface. The function has the checks of `extract_quad_mesh()` of a map. The vertices lie on
+the input.
 
-\param quantization a quantization, of which `quantize()` says that it succeeded
+If the quads form no face graph, nothing is written. After a quantization with `needs_face_graph`,
+they form one: the quad around a vertex of one edge is left out, and its two other sides become one
+edge. This removes elements of `quads`, so a `CGAL::Surface_mesh` has garbage for its
+`%collect_garbage()`. Template parameters are the same as for the extraction from a map.
+
+\param quantization a successful result of `quantize()`
 \param tmesh the mesh that has been quantized, not changed since
 \param quads the mesh that the quads are added to
 \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map`
@@ -418,7 +426,7 @@ Template parameters are those of the extraction from a map.
        for the extraction from a map
 
 \return the outcome and figures, as for the extraction from a map; `INVALID_ARGUMENT` if
-        `quantization` is none, or of a mesh with another number of faces
+        `quantization` has failed, or belongs to a mesh with another number of faces
 
 \par Complexity
 Linear in the number of quads, and of faces on the straight ways that lead to each of their vertices
@@ -451,10 +459,10 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-extracts the same quads as points and lists of indices. Loops and double edges are no obstacle here.
-Template parameters are those of the extraction from a map.
+extracts the same quads as points and lists of indices. Loops and double edges are allowed here.
+Template parameters are the same as for the extraction from a map.
 
-\param quantization a quantization, of which `quantize()` says that it succeeded
+\param quantization a successful result of `quantize()`
 \param tmesh the mesh that has been quantized, not changed since
 \param points the points of the quads are added to it
 \param polygons the quads are added to it

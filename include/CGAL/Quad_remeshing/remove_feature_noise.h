@@ -167,29 +167,25 @@ private:
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-removes from the feature edges of a mesh those that are noise, as
-`CGAL::Polygon_mesh_processing::detect_sharp_edges()` finds them on scans and on coarse models of
-round shapes. `quad_remesh()` would keep each, at the price of irregular vertices and of the shape
-of quads. How long the edges of the quads are to be is a good `length` for it.
+unmarks feature edges that are noise.
 
-A chain of features is a loop, or goes from one place where they end or meet others to the next. It
-leads nowhere if one of its ends is inside the surface, where no other feature is. Removed are, one
-after the other:
-- of two sides of a triangle with an area that meet at less than 30 degrees, the shorter one, if it
-  is nowhere farther than `length / 3` from the other, which may be on the border: slivers have
-  normals, and so sharp edges, by chance. Where no other feature meets them there, so that a line
-  makes a spike, the third side becomes a feature in its place. Both stay at the tip of a larger
-  flat face, where at most one other feature or border edge meets them: if the third side is flat,
-  up to 6 degrees, and each of them goes on from its other end, within 30 degrees and 100 edges,
-  until it is farther than that from the line of the other;
-- chains that lead nowhere and are shorter than `length`;
-- all chains shorter than `4 * length`, however sharp they are, where the features are a net of
-  noise: of more than 20 chains, those that lead nowhere are more than a fifth, and then, of what is
-  kept, chains shorter than `2 * length` are more than a fifth, too. Both parts are by length.
+`CGAL::Polygon_mesh_processing::detect_sharp_edges()` finds such edges on scans and on coarse models
+of round shapes. `quad_remesh()` would keep each of them, at the price of irregular vertices and
+badly shaped quads. The wanted edge length of the quads is a good `length` for this function.
 
-The shortest go first, as others can become one chain without them, which is long enough. Edges of
-the border are neither removed nor counted. Where noise bends most edges by more than the angle, the
-net has few ends, and is not seen as noise: smooth such a surface first, or ask for a larger angle.
+A <em>chain</em> of feature edges is a loop, or leads from one point at which features end or meet
+to the next. It has a <em>free end</em> if it ends inside the surface, away from other features. The
+function unmarks, in this order, the shortest first:
+- one of two sides of a sliver. Slivers have sharp edges by chance, because their normals are not
+  reliable. If the other side would end there, the third side becomes a feature in its place. A
+  narrow tip of a larger flat face is kept.
+- chains with a free end that are shorter than `length`;
+- all chains shorter than a multiple of `length`, if the features are a net of noise. They are a net
+  of noise if many chains have a free end and many of the remaining chains are short.
+
+After a chain has gone, its neighbors can form one longer chain, which may stay. Border edges are
+neither unmarked nor counted. If noise bends most edges by more than the angle of the detection, the
+features are a net without free ends, and stay. Smooth such a surface first, or use a larger angle.
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam EdgeIsConstrainedMap a class model of `ReadWritePropertyMap` with
@@ -197,7 +193,8 @@ net has few ends, and is not seen as noise: smooth such a surface first, or ask 
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh a mesh
-\param is_feature the feature edges, of which some are set to `false`, and third sides to `true`
+\param is_feature the feature edges. The function sets noise to `false`, and some third sides of
+       slivers to `true`.
 \param length a length, in the unit of the points. If it isn't positive, nothing is removed.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below
@@ -219,11 +216,11 @@ net has few ends, and is not seen as noise: smooth such a surface first, or ask 
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the number of edges that are no features any more
+\return the number of edges that are no longer features
 
 \par Complexity
-A pass over the mesh, and passes over the features until nothing is removed: few in practice, and
-at most as many as there are chains.
+Linear in the size of the mesh, plus a pass over the features for each round. The number of rounds
+is at most the number of chains, and small in practice.
 
 \sa `quad_remesh()`
 */

@@ -90,33 +90,34 @@ struct Edges_on_grid
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-moves vertices of an integer-grid map until as many faces are positive in the domain as can be, for
-`extract_quad_mesh()` and `extract_triangle_mesh()`, which refuse the others. Translations and cones
-keep their integers, and so do features and borders that lie on lines of the grid; the map stays
-exactly seamless. Where no face is flipped or degenerate, nothing but the scale changes.
+moves vertices of an integer-grid map in the domain such that flipped faces become positive.
 
-The function calls `snap_to_seamless()`, which tells what it guarantees. Pass a copy of the map if
-the map itself is to stay as it is.
+`extract_quad_mesh()` and `extract_triangle_mesh()` refuse maps with flipped or degenerate faces.
+This function repairs as many of them as it can. Translations and cones keep their integers,
+features and borders on lines of the grid stay there, and the map stays exactly seamless. If no face
+is flipped or degenerate, only the scale changes.
+
+The function calls `snap_to_seamless()` and has its guarantees. It changes the map in place.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner, as those of `snap_to_seamless()`
+\param uv_map the coordinates of each corner, as for `snap_to_seamless()`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
         below, and `tolerance`, `rotational_symmetry`, `vertex_index_map`, `verbose`, and `visitor`
         of `snap_to_seamless()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{grid_scale}
-    \cgalParamDescription{a positive number that the coordinates are multiplied by first: after
-                          that, they are to be those of an integer-grid map}
+    \cgalParamDescription{a positive number. The coordinates times this number must be an
+                          integer-grid map.}
     \cgalParamType{`double`}
     \cgalParamDefault{1}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the feature edges. Those on lines of the grid stay there.}
+    \cgalParamDescription{the feature edges. Feature edges on lines of the grid stay there.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
@@ -137,8 +138,8 @@ the map itself is to stay as it is.
 \return as `snap_to_seamless()`: on failure, nothing has changed. `NOT_INTEGER` tells that a
         translation, a cone, or a level is no integer. After success, which `FLIPS_REMAIN` is too,
         `Snapping_report::remaining_flips` and `Snapping_report::lost_faces` are the faces that are
-        still not positive, and `Snapping_figures::number_of_repaired_flips` counts those that have
-        become so.
+        still not positive, and `Snapping_figures::number_of_repaired_flips` counts the repaired
+        faces.
 
 \par Complexity
 That of `snap_to_seamless()`.

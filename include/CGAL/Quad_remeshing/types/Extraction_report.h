@@ -29,8 +29,8 @@ namespace Quad_remeshing {
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-What `extract_quad_mesh()`, `extract_quad_soup()`, `extract_triangle_mesh()`, and
-`extract_triangle_soup()` return. Converts to `bool`: `true` if and only if the result was written.
+The result of `extract_quad_mesh()`, `extract_quad_soup()`, `extract_triangle_mesh()`, and
+`extract_triangle_soup()`. Converts to `bool`: `true` if and only if the result was written.
 */
 struct Extraction_report
   : public Report
@@ -39,8 +39,8 @@ struct Extraction_report
   /// @{
   std::size_t number_of_vertices = 0; ///< vertices that were written
   std::size_t number_of_faces = 0;    ///< faces that were written
-  /// those of them that are no quads: \f$ (4 - i) \f$-gons around cones of index \f$ i \f$ that lie
-  /// between the lines of the grid; or that are no triangles, around such cones
+  /// faces that are no quads, or no triangles, around cones between the lines of the grid: a cone
+  /// of index \f$ i \f$ gives a \f$ (4 - i) \f$-gon
   std::size_t number_of_other_polygons = 0;
   /// pieces of cells that the border cuts off, or holes; they were left out
   std::size_t number_of_cut_cells = 0;
@@ -56,7 +56,7 @@ struct Extraction_report
   /// @{
   double area = 0;                  ///< of all faces, in units of one quad or one triangle
   std::size_t number_of_cones = 0;  ///< interior vertices whose angle is not 360 degrees
-  std::size_t number_of_cones_in_cells = 0; ///< those that lie between the lines of the grid
+  std::size_t number_of_cones_in_cells = 0; ///< cones between the lines of the grid
   /// border edges that lie on no line of the grid, or lead to the end of a slit that is no point of
   /// it
   std::size_t number_of_unaligned_border_edges = 0;

@@ -50,7 +50,7 @@ struct Quad_patch
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-What `quad_patches()` returns. Converts to `bool`: `true` if and only if there are patches.
+The result of `quad_patches()`. Converts to `bool`: `true` if and only if there are patches.
 
 \tparam QuadMesh the type of the mesh
 */

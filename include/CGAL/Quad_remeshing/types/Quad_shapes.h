@@ -28,21 +28,22 @@ namespace Quad_remeshing {
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-How well quads are shaped, in floating point: what `measure_quad_shapes()` returns.
+The shapes of quads, in floating point. `measure_quad_shapes()` returns this.
 */
 struct Quad_shapes
 {
-  /// the least one of a quad: of the sines of its angles, times the cosine between the corner's
-  /// normal and that of the quad, which is across its diagonals; 1 is best
+  /// The least scaled Jacobian of a quad: the least sine of its angles, times the cosine between
+  /// the normals of the corner and of the quad, which is perpendicular to both diagonals. 1 is
+  /// best.
   double least_scaled_jacobian = 1;
   double mean_scaled_jacobian = 1; ///< the mean over the quads
-  /// the longest side of a quad over its shortest one, of the quad where this is largest: infinite
-  /// where a side has no length
+  /// the largest ratio of the longest and the shortest side of a quad; infinite if a side has no
+  /// length
   double largest_aspect_ratio = 1;
   /// quads whose longest side is more than ten times their shortest one
   std::size_t number_of_long_quads = 0;
-  /// quads with a scaled Jacobian of less than 0.1, inverted ones and ones with three corners on a
-  /// line among them
+  /// quads with a scaled Jacobian of less than 0.1, including inverted quads and quads with three
+  /// corners on a line
   std::size_t number_of_thin_quads = 0;
   /// the first of them, at most ten, counted from 0 in the order of iteration over all faces
   std::vector<std::size_t> first_thin_quads;

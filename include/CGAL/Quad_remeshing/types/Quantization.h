@@ -36,7 +36,7 @@ struct Quantized_surface;
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-What `quantize()` returns: an all-quad mesh of a parametrized surface, in the form of a coarse
+The result of `quantize()`: an all-quad mesh of a parametrized surface, in the form of a coarse
 triangulation whose edges are vectors of integers. `extract_quad_mesh()` makes the quads. Converts
 to `bool`: `true` if and only if there is one.
 */
@@ -47,9 +47,9 @@ public:
   /// \name Size
   /// @{
   std::size_t number_of_quads = 0;           ///< of the mesh that it describes
-  /// where there are more than 1.1 times as many as wanted: how many the features force, as there
-  /// are so many fewer where these need not lie on edges of quads. Both numbers are of the first
-  /// integers that are tried, whether their quads are a face graph or not.
+  /// the number of quads that the features force: without features, there would be so many fewer.
+  /// Counted only if there are clearly more quads than wanted, by the first integers that are
+  /// tried, whether their quads are a face graph or not.
   std::size_t number_of_forced_quads = 0;
   /// features that were released with `maximum_feature_loss`: the vertices along each, in the order
   /// of iteration over all vertices that have faces, from 0
@@ -63,7 +63,7 @@ public:
   /// by how much more finely than wanted the search had to begin
   double first_scale = 1;
   std::size_t number_of_moves = 0; ///< steps of the search
-  /// edges of the coarse triangulation that are longer than twice what was wanted, plus one unit
+  /// edges of the coarse triangulation that are longer than twice the wanted length, plus one unit
   std::size_t number_of_long_edges = 0;
   /// @}
 
@@ -72,7 +72,7 @@ public:
   /// faces that are flipped or degenerate in the domain, in the order of iteration over all faces,
   /// from 0
   std::vector<std::size_t> nonpositive_faces;
-  /// border edges that lie on no isocurve, and that two sides of quads follow each
+  /// border edges that lie on no isocurve; two sides of quads follow each of them
   std::size_t number_of_unaligned_border_edges = 0;
   std::size_t number_of_unaligned_features = 0; ///< feature edges that lie on no isocurve
   /// @}

@@ -34,7 +34,7 @@ namespace Quad_remeshing {
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-A feature that `quad_remesh()` has released, between two points where it turned, ended, or met
+A feature that `quad_remesh()` has released, between two points at which it turned, ended, or met
 others.
 */
 struct Released_feature
@@ -46,7 +46,7 @@ struct Released_feature
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-What `quad_remesh()` returns. Converts to `bool`: `true` if and only if the quads were written.
+The result of `quad_remesh()`. Converts to `bool`: `true` if and only if the quads were written.
 */
 struct Remeshing_report
   : public Report, public Quad_shapes
@@ -55,40 +55,37 @@ struct Remeshing_report
   /// @{
   std::size_t number_of_quads = 0;    ///< faces that were written
   std::size_t number_of_vertices = 0; ///< vertices that were written
-  /// vertices inside that have other than four edges
+  /// inner vertices that have other than four edges
   std::size_t number_of_irregular_vertices = 0;
-  /// where there are more than 1.1 times as many quads as wanted: how many of them the features
-  /// force; the message tells of it, too
+  /// the number of quads that the features force; counted, and told in the message, only if there
+  /// are clearly more quads than wanted
   std::size_t number_of_forced_quads = 0;
-  /// features that are not kept as they force quads, with `maximum_feature_loss`
+  /// with `maximum_feature_loss`, features that are not kept because they force quads
   std::vector<Released_feature> released_features;
-  /// quads that are inverted: at a corner, their sides turn the other way than the quad as a whole
-  /// does, or the quad has no area, or a side no length, decided exactly, for the points as
-  /// doubles; or that lie upside down: by more than 120 degrees, if the surface is flat, they face
-  /// against it on the average, at their middle, and half way from there to each corner, as walks
-  /// over the surface find in floating point.
+  /// quads that are inverted in space or lie upside down on the surface. A quad is inverted if, at
+  /// a corner, its sides turn against the quad as a whole, or if its area or a side is zero; this
+  /// is decided exactly, for the points as doubles. A quad lies upside down if it faces against a
+  /// flat part of the surface below it; this is decided in floating point.
   std::size_t number_of_inverted_quads = 0;
-  /// the first of them, at most ten, counted from 0 in the order in which the faces were written
+  /// the first of these quads, at most ten, counted from 0 in the order in which the faces were
+  /// written
   std::vector<std::size_t> first_inverted_quads;
-  /// vertices that were moved off the surface, or off the feature or border that they lay on, as
-  /// quads would be inverted otherwise
+  /// vertices that were moved off the surface, a feature, or the border, because quads would be
+  /// inverted otherwise
   std::size_t number_of_displaced_vertices = 0;
-  double largest_displacement = 0; ///< the largest distance by which these were moved
-  /// the largest distance from the input that was found: at vertices and at the middles of faces
-  /// and edges, and of up to 6,250 quads at more points of the bilinear patches over them, 25,000
-  /// to 100,000 in all, or 4,096 of each. The vertices lie on the input, up to rounding, but for
-  /// those that were displaced, and images of what is not symmetric.
+  double largest_displacement = 0; ///< the largest distance of such a move
+  /// the largest distance from the input that was found, at vertices and at points of the bilinear
+  /// patches over the quads. Vertices lie on the input, up to rounding, except for displaced
+  /// vertices and for mirror images of parts that are not symmetric.
   double largest_distance = 0;
-  /// the largest distance of the input from the quads, each of them two triangles, that was found:
-  /// at its vertices, and at 20,000 points spread over its area, or one for each face
+  /// the largest distance of the input from the quads that was found, at vertices and at points
+  /// spread over the area of the input; each quad counts as two triangles
   double largest_distance_of_input = 0;
-  /// lengths of edges: a tenth of the edges is shorter than the first one, a half than the second
-  /// one, and a tenth is longer than the third one
+  /// the 10th, 50th, and 90th percentile of the lengths of the edges
   std::array<double, 3> edge_lengths{};
-  /// by which part the lengths differ from those that are wanted at their middles, in the median:
-  /// 0.5 where they are half as long again, or the wanted length is. Without wanted lengths, as
-  /// with `minimize_number_of_quads`, with those of `curvature_adaptivity`, and for the quads of a
-  /// quantization, there is no value.
+  /// the median deviation of an edge's length from the wanted length at its middle: 0.5 if one of
+  /// the two is half as long again as the other. There is no value without wanted lengths: with
+  /// `minimize_number_of_quads`, with `curvature_adaptivity`, and for the quads of a quantization.
   std::optional<double> median_size_deviation;
   /// @}
 
