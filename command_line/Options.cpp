@@ -18,9 +18,9 @@ namespace po = boost::program_options;
 
 const char* const exit_statuses =
   "Exit status: 0 done; 1 no exact solution was found, or the file is not exact; 2 wrong usage;\n"
-  "3 an input cannot be read; 4 an output cannot be written; 5 'snap --repair-flips', 'quads',\n"
-  "'remesh': written, but faces or cells remain that are flipped or degenerate, or quads that are\n"
-  "inverted.\n";
+  "3 an input cannot be read; 4 an output cannot be written; 5 'snap' with --repair-flips or\n"
+  "--integer-grid, 'quads', 'remesh': written, but faces or cells remain that are flipped or\n"
+  "degenerate, or quads that are inverted.\n";
 
 void print_version(std::ostream& os)
 {

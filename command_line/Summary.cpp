@@ -44,6 +44,13 @@ void write_mesh(std::ostream& os, const Summary& s)
        << "left out: no isocurve is there\n";
 }
 
+void write_note_on_area(std::ostream& os, const Summary& s,
+                        const CGAL::Seamless_snapping::Seamlessness& measured)
+{
+  if(measured.number_of_degenerate_faces == s.faces)
+    os << "note: no face has an area in the domain: this is no map\n";
+}
+
 nlohmann::json json_of(const CGAL::Seamless_snapping::Seamlessness& s)
 {
   return {{"inexact_edges", s.number_of_inexact_edges},
@@ -170,6 +177,7 @@ void write_snap(std::ostream& os, const Summary& s)
   write_row(os, "flipped faces", s.before.number_of_flipped_faces, s.after.number_of_flipped_faces);
   write_row(os, "degenerate faces", s.before.number_of_degenerate_faces,
             s.after.number_of_degenerate_faces);
+  write_note_on_area(os, s, s.after);
   os << "  (in brackets: relative to the extent " << to_text(s.before.extent) << ")\n\n"
      << CGAL::Linear_snapping::to_string(r.status) << ": largest change "
      << to_text(r.largest_change, r.extent) << " of a coordinate, mean "
@@ -188,10 +196,9 @@ void write_check(std::ostream& os, const Summary& s)
     os << s.before.number_of_misaligned_edges << " misaligned edges of " << s.aligned_edges
        << ", largest misalignment " << to_text(s.before.misalignment, s.before.extent) << "\n";
   os << counted(s.before.number_of_flipped_faces, "flipped face") << ", "
-     << counted(s.before.number_of_degenerate_faces, "degenerate face") << "\n"
-     << (s.before.number_of_degenerate_faces == s.faces
-           ? "note: no face has an area: this is no map\n" : "")
-     << (s.before.is_exact() ? "exactly seamless" : "not exactly seamless")
+     << counted(s.before.number_of_degenerate_faces, "degenerate face") << "\n";
+  write_note_on_area(os, s, s.before);
+  os << (s.before.is_exact() ? "exactly seamless" : "not exactly seamless")
      << (s.coinciding_border_edges > 0 ? ", but for the border edges that coincide" : "")
      << (s.left_out_edges > 0 ? (s.before.is_exact() ? ", but" : ", and") +
                                  std::string(" not aligned along what is left out") : "")

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <locale>
@@ -84,13 +85,22 @@ bool take_mode_and_owner(const fs::path& original, const fs::path& copy)
   return !error;
 }
 
-void write_directly(const fs::path& place, const std::string& filename, const std::string& text)
+using Write = std::function<void(std::ostream&)>;
+
+Write writing(const std::string& text)
+{
+  return [&text](std::ostream& os) {
+    os.write(text.data(), static_cast<std::streamsize>(text.size()));
+  };
+}
+
+void write_directly(const fs::path& place, const std::string& filename, const Write& write)
 {
   errno = 0;
   std::ofstream os(place, std::ios::binary);
   if(!os)
     fail(UNWRITABLE, "cannot write", filename, reason());
-  os.write(text.data(), static_cast<std::streamsize>(text.size()));
+  write(os);
   os.close();
   if(!os)
     fail(UNWRITABLE, "cannot write", filename, reason());
@@ -123,7 +133,7 @@ void check_writable(const std::string& filename)
   std::error_code error;
   if(fs::exists(place, error))
     check_existing(place, filename);
-  write_directly(unfinished, filename, "");
+  write_directly(unfinished, filename, writing(""));
   fs::remove(unfinished, error);
 }
 
@@ -136,9 +146,7 @@ std::string text_of_file(const std::string& filename)
       throw Failure(UNREADABLE, "cannot read the standard input");
     return text;
   }
-  std::ifstream is(filename, std::ios::binary);
-  if(!is)
-    fail(UNREADABLE, "cannot read", filename, reason());
+  std::ifstream is = open_file(filename);
   std::string text;
   std::error_code error; // of files without a size
   if(const std::uintmax_t size = fs::file_size(filename, error); !error)
@@ -182,9 +190,18 @@ std::string moved_names(const std::string& names, const fs::path& old_folder,
 
 } // namespace
 
+std::ifstream open_file(const std::string& filename)
+{
+  errno = 0;
+  std::ifstream result(filename, std::ios::binary);
+  if(!result)
+    fail(UNREADABLE, "cannot read", filename, reason());
+  return result;
+}
+
 std::string read_file(const std::string& filename)
 {
-  const std::string text = text_of_file(filename);
+  std::string text = text_of_file(filename);
   if(text.find_first_not_of(" \t\r\n") == text.npos)
     throw Failure(UNREADABLE, filename + ": the file is empty");
   return text;
@@ -215,30 +232,37 @@ std::vector<double> read_numbers(const std::string& filename)
 
 void write_file(const std::string& filename, const std::string& text)
 {
+  write_file(filename, writing(text));
+}
+
+void write_file(const std::string& filename, const Write& write)
+{
   if(filename == standard_stream) {
-    std::cout.write(text.data(), static_cast<std::streamsize>(text.size()));
+    write(std::cout);
     if(!std::cout.flush())
       throw Failure(UNWRITABLE, "cannot write to the standard output");
     return;
   }
   if(is_special_file(filename)) // to rename a file to it would replace it
-    return write_directly(filename, filename, text);
+    return write_directly(filename, filename, write);
 
   const fs::path place = resolved(filename), unfinished = unused_name(place);
   std::error_code error;
   try {
-    write_directly(unfinished, filename, "");
+    write_directly(unfinished, filename, writing(""));
     const bool exists = fs::exists(place, error);
     if(exists)
       check_existing(place, filename);
     const bool may_replace = !exists || take_mode_and_owner(place, unfinished);
-    write_directly(unfinished, filename, text);
+    write_directly(unfinished, filename, write);
     if(may_replace) {
       fs::rename(unfinished, place, error);
       if(error)
         fail(UNWRITABLE, "cannot write", filename, error.message());
     } else { // the text fits on the disk
-      write_directly(place, filename, text);
+      write_directly(place, filename, [&](std::ostream& os) {
+        os << std::ifstream(unfinished, std::ios::binary).rdbuf();
+      });
       fs::remove(unfinished, error);
     }
   } catch(...) {

@@ -4,13 +4,20 @@
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_FILES_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_FILES_H
 
+#include <fstream>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
 
 // Throw `Failure` with the reason; to read a file without any text is a failure, too.
 std::string read_file(const std::string& filename);
+std::ifstream open_file(const std::string& filename); // throws as well
 void write_file(const std::string& filename, const std::string& text);
+
+// The same for what `write()` writes, which is called once. What it throws is passed on, and nothing is
+// written then, unless to a special file.
+void write_file(const std::string& filename, const std::function<void(std::ostream&)>& write);
 
 // Numbers with blanks or line ends between them. Throws `Failure` with the line of what is none.
 std::vector<double> read_numbers(const std::string& filename);

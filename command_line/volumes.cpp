@@ -13,48 +13,100 @@
 #include <CGAL/Seamless_snapping/snap_volume_to_seamless.h>
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/property_map.h>
 
+#include <boost/property_map/property_map.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iomanip>
 #include <iostream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
+#include <streambuf>
 #include <string>
+#include <system_error>
 #include <vector>
 
+namespace fs = std::filesystem;
 namespace Snapping = CGAL::Seamless_snapping;
 using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+
+namespace {
+
+// Whether the input is the standard input, which begins with a number, as no surface does.
+bool is_volume_on_standard_input(const Arguments& arguments)
+{
+  for(std::size_t i = 0; i < arguments.size(); ++i) {
+    if(const std::string suffix = suffix_of(arguments[i]); suffix == "obj" || suffix == "ply")
+      return false;
+    const std::string option = i > 0 ? arguments[i - 1] : "";
+    if(arguments[i] == "-" && option != "--report" && option != "--picture" && option != "--svg")
+      return std::isdigit((std::cin >> std::ws).peek()) != 0;
+  }
+  return false;
+}
+
+} // namespace
 
 bool is_volume(const Arguments& arguments)
 {
   return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
     return suffix_of(argument) == "hexex";
-  });
+  }) || is_volume_on_standard_input(arguments);
 }
 
 namespace {
 
+// Reads a text where it is: it is large.
+struct Text_buffer : public std::streambuf
+{
+  explicit Text_buffer(std::string& text) { setg(&text[0], &text[0], &text[0] + text.size()); }
+};
+
+// The coordinates of corners as points.
+struct Uvw_map
+{
+  using key_type = std::size_t;
+  using value_type = Point_3;
+  using reference = Point_3;
+  using category = boost::read_write_property_map_tag;
+
+  std::vector<std::array<double, 3> >* uvw;
+
+  friend Point_3 get(const Uvw_map& map, const std::size_t i)
+  {
+    const std::array<double, 3>& u = (*map.uvw)[i];
+    return Point_3(u[0], u[1], u[2]);
+  }
+  friend void put(const Uvw_map& map, const std::size_t i, const Point_3& p)
+  { (*map.uvw)[i] = {{p.x(), p.y(), p.z()}}; }
+};
+
 struct Volume
 {
-  std::string text; // of the file
+  std::string filename, text; // which is kept only if the file can't be read again
+  fs::file_time_type time;
   Snapping::IO::HEXEX_mesh mesh;
-  std::vector<Point_3> uvw; // per corner
 
-  explicit Volume(const std::string& filename)
-    : text(read_file(filename))
+  explicit Volume(const std::string& name)
+    : filename(name)
   {
-    std::istringstream is(text);
-    if(const auto status = Snapping::IO::read_HEXEX(is, mesh); !status)
-      throw Failure(UNREADABLE, filename + ": " + status.message);
-    for(const std::array<double, 3>& u : mesh.uvw)
-      uvw.emplace_back(u[0], u[1], u[2]);
+    if(is_special_file(filename))
+      text = read_file(filename);
+    else
+      time = time_of_file();
+    read_from([&](std::istream& is) {
+      if(const auto status = Snapping::IO::read_HEXEX(is, mesh); !status)
+        throw Failure(UNREADABLE, filename + ": " + status.message);
+    });
     if(mesh.number_of_rounded_coordinates > 0)
       std::cerr << "note: " << filename << ": "
                 << counted(mesh.number_of_rounded_coordinates, "fraction")
@@ -62,6 +114,41 @@ struct Volume
     if(mesh.unknown_line > 0)
       std::cerr << "note: what begins in line " << mesh.unknown_line << " of " << filename
                 << " is neither walls nor features, and was not looked at\n";
+  }
+
+  Uvw_map uvw_map() { return {&mesh.uvw}; }
+
+  // The file with the coordinates as they are now.
+  void write(const std::string& output)
+  {
+    if(text.empty() && time_of_file() != time)
+      throw Failure(UNREADABLE, filename + ": the file has changed since it was read");
+    write_file(output, [&](std::ostream& os) {
+      read_from([&](std::istream& is) {
+        if(const auto status = Snapping::IO::rewrite_HEXEX(is, os, mesh.uvw); !status)
+          throw Failure(UNWRITABLE, output + ": " + status.message);
+      });
+    });
+  }
+
+private:
+  fs::file_time_type time_of_file() const
+  {
+    std::error_code error; // of a file that is not there
+    return fs::last_write_time(filename, error);
+  }
+
+  template <typename F>
+  void read_from(const F& f)
+  {
+    if(!text.empty()) {
+      Text_buffer buffer(text);
+      std::istream is(&buffer);
+      f(is);
+    } else {
+      std::ifstream is = open_file(filename);
+      f(is);
+    }
   }
 };
 
@@ -104,23 +191,35 @@ std::string with_options(const std::string& message)
 
 Snapping::Volume_seamlessness measure(Volume& volume, const Volume_options& options)
 {
-  return Snapping::measure_volume_seamlessness(volume.mesh.tetrahedra,
-                                               CGAL::make_property_map(volume.uvw),
+  return Snapping::measure_volume_seamlessness(volume.mesh.tetrahedra, volume.uvw_map(),
                                                options.parameters(volume.mesh));
+}
+
+// Of the walls of the file, how many lie in no plane of a constant coordinate.
+std::size_t number_of_walls_off_planes(Volume& volume)
+{
+  if(volume.mesh.walls.empty())
+    return 0;
+  try {
+    return Snapping::measure_volume_seamlessness(
+      volume.mesh.tetrahedra, volume.uvw_map(),
+      Snapping::parameters::align_boundary(false)
+        .feature_facets(std::cref(volume.mesh.walls))).number_of_misalignments;
+  } catch(const std::invalid_argument&) { // some are no facets
+    return volume.mesh.walls.size();
+  }
 }
 
 Snapping::Volume_integer_grid_measure measure_grid(Volume& volume, const Volume_options& options)
 {
-  return Snapping::measure_volume_integer_grid(volume.mesh.tetrahedra,
-                                               CGAL::make_property_map(volume.uvw),
+  return Snapping::measure_volume_integer_grid(volume.mesh.tetrahedra, volume.uvw_map(),
                                                options.parameters(volume.mesh));
 }
 
-// There are hexahedra where all cells are positive only, and whole ones where the boundary is aligned.
+// Hexahedra are whole if the boundary is aligned.
 void write(std::ostream& os, const Snapping::Volume_integer_grid_measure& m,
            const Snapping::Volume_seamlessness& cells, const Volume_options& options)
 {
-  constexpr double largest_integer = 0x1p53;
   os << m.number_of_noninteger_cuts << " translations, "
      << m.number_of_noninteger_facets + m.number_of_noninteger_edges << " aligned facets and edges, "
      << m.number_of_noninteger_singular_edges << " of " << m.number_of_singular_edges
@@ -128,12 +227,17 @@ void write(std::ostream& os, const Snapping::Volume_integer_grid_measure& m,
      << " nodes off the integers\n";
   if(!m || options.free_boundary)
     return;
-  if(cells.number_of_flipped_cells + cells.number_of_degenerate_cells > 0)
-    os << "no hexahedra fill it, as cells are flipped or degenerate\n";
-  else if(m.volume < largest_integer)
-    os << std::llround(m.volume) << " hexahedra\n";
-  else
-    os << m.volume << " hexahedra\n";
+  os << std::fixed << std::setprecision(0) << m.volume << " hexahedra"
+     << (cells.number_of_flipped_cells + cells.number_of_degenerate_cells > 0
+           ? ", to tell by the volume; flipped or degenerate cells may keep programs from extracting "
+             "them" : "") << "\n" << std::defaultfloat << std::setprecision(6);
+}
+
+// The note that a map takes no cell to one with a volume; or none.
+void write_note_on_volume(std::ostream& os, const Snapping::Volume_seamlessness& s)
+{
+  if(s.number_of_degenerate_cells == s.number_of_cells)
+    os << "note: no cell has a volume in the domain: this is no map\n";
 }
 
 std::ostream& operator<<(std::ostream& os, const Snapping::Volume_seamlessness& s)
@@ -178,11 +282,22 @@ nlohmann::json json_of(const Snapping::Volume_integer_grid_measure& m)
           {"volume", m.volume}};
 }
 
+// With the number of hexahedra, if they are whole.
+nlohmann::json json_of(const Snapping::Volume_integer_grid_measure& m, const Volume_options& options)
+{
+  nlohmann::json result = json_of(m);
+  constexpr double largest_integer = 0x1p53;
+  if(m && !options.free_boundary && std::abs(m.volume) < largest_integer)
+    result["hexahedra"] = std::llround(m.volume);
+  return result;
+}
+
 nlohmann::json json_of(const Snapping::Snapping_report& r)
 {
   return {{"status", to_string(r.status)},
           {"cut_facets", r.run.number_of_cut_edges},
           {"unknowns", r.linear_solver.number_of_unknowns},
+          {"violation_before", r.violation_before},
           {"largest_change", r.largest_change},
           {"largest_rounding", r.largest_rounding},
           {"lost_cells", r.lost_faces.size()},
@@ -222,9 +337,10 @@ void check_volume(const Arguments& arguments)
     if(volume_options.integer_grid) {
       const Snapping::Volume_integer_grid_measure grid = measure_grid(volume, volume_options);
       write(os, grid, result, volume_options);
-      json["integer_grid"] = json_of(grid);
+      json["integer_grid"] = json_of(grid, volume_options);
       is_grid = bool(grid);
     }
+    write_note_on_volume(os, result);
     if(!result.is_exact())
       throw Failure(NOT_SOLVED, input + ": not exactly seamless");
     if(!is_grid)
@@ -283,9 +399,16 @@ void snap_volume(const Arguments& arguments)
   Volume volume = read_or_tell(report_file, "exact", [&] { return Volume(input); });
   nlohmann::json json;
   const auto work = [&] {
+    Snapping::Volume_seamlessness before;
+    try {
+      before = measure(volume, volume_options);
+      json["before"] = json_of(before);
+    } catch(const std::invalid_argument&) { // snapping tells the reason
+    }
+    const std::size_t walls_before = number_of_walls_off_planes(volume);
     const Progress progress("snapping " + counted(volume.mesh.tetrahedra.size(), "cell"));
     const Snapping::Snapping_report report = Snapping::snap_volume_to_seamless(
-      volume.mesh.tetrahedra, CGAL::make_property_map(volume.uvw),
+      volume.mesh.tetrahedra, volume.uvw_map(),
       volume_options.parameters(volume.mesh)
         .integer_grid(volume_options.integer_grid)
         .grid_scale(scale)
@@ -300,17 +423,14 @@ void snap_volume(const Arguments& arguments)
     Snapping::Volume_integer_grid_measure grid;
     if(volume_options.integer_grid) {
       grid = measure_grid(volume, volume_options);
-      json["integer_grid"] = json_of(grid);
+      json["integer_grid"] = json_of(grid, volume_options);
     }
     if(!after.is_exact() || (volume_options.integer_grid && !grid))
       throw Failure(NOT_SOLVED, input + ": the result is not exact; please report this");
-    for(std::size_t i = 0; i < volume.uvw.size(); ++i)
-      volume.mesh.uvw[i] = {{volume.uvw[i].x(), volume.uvw[i].y(), volume.uvw[i].z()}};
-    std::istringstream original(volume.text);
-    std::ostringstream text;
-    if(const auto status = Snapping::IO::rewrite_HEXEX(original, text, volume.mesh.uvw); !status)
-      throw Failure(UNWRITABLE, output + ": " + status.message);
-    write_file(output, text.str());
+    const std::size_t walls_after = number_of_walls_off_planes(volume);
+    json["walls"] = {{"number", volume.mesh.walls.size()}, {"off_planes_before", walls_before},
+                     {"off_planes", walls_after}};
+    volume.write(output);
     std::ostream& os = summary_stream({output, report_file});
     os << report.status << ": " << counted(report.run.number_of_cut_edges, "cut facet");
     if(report.status != Snapping::Outcome::ALREADY_EXACT) // else there was no need to find these
@@ -319,10 +439,19 @@ void snap_volume(const Arguments& arguments)
     os << "\nlargest violation before " << report.violation_before << ", largest change "
        << report.largest_change << " (lengths in the domain), orientation of "
        << counted(report.lost_faces.size(), "cell") << " lost\n";
+    if(before.number_of_flipped_cells + before.number_of_degenerate_cells > 0)
+      os << before.number_of_flipped_cells << " flipped and " << before.number_of_degenerate_cells
+         << " degenerate cells before, " << after.number_of_flipped_cells << " and "
+         << after.number_of_degenerate_cells << " now\n";
     if(volume_options.integer_grid) {
       os << "largest rounding " << report.largest_rounding << "\n";
       write(os, grid, after, volume_options);
     }
+    if(walls_after > walls_before)
+      os << "note: walls that have left their planes of a constant coordinate: "
+         << walls_after - walls_before << " of " << volume.mesh.walls.size()
+         << "; the list of walls in the file is as before\n";
+    write_note_on_volume(os, after);
     if(report.run.number_of_repaired_flips > 0)
       os << report.run.number_of_repaired_flips << " flipped or degenerate cells repaired\n";
     if(report.status == Snapping::Outcome::SNAPPED && !report.message.empty())

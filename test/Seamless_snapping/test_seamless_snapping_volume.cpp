@@ -378,7 +378,9 @@ int main(int argc, char** argv)
   test_integer_grids();
   test_refusals_of_grids();
   test_repairs_of_flips();
+  test_grids_with_flips();
   test_orientations_of_lists();
+  test_components_listed_negatively();
   test_interruptions();
   test_cell_without_volume();
   test_levels_on_one_integer();

@@ -31,6 +31,7 @@ inline void test_files()
   CHECK_EQUAL(mesh.uvw[1][0], 1. / 3);
   CHECK_EQUAL(mesh.uvw[2][1], -1.5);
   CHECK(mesh.feature_vertices.size() == 1 && mesh.feature_edges.size() == 1);
+  CHECK((mesh.walls == std::vector<std::array<std::int32_t, 3> >{{{0, 1, 2}}}));
   CHECK((mesh.feature_facets == std::vector<std::array<std::int32_t, 3> >{{{0, 1, 3}}}));
   CHECK_EQUAL(mesh.unknown_line, std::size_t(0));
   mesh.uvw[3][2] = 0.1;
@@ -45,6 +46,14 @@ inline void test_files()
   IO::HEXEX_mesh copy;
   CHECK(bool(IO::read_HEXEX(reread, copy)) && copy.uvw == mesh.uvw && copy.points == mesh.points &&
         copy.feature_facets == mesh.feature_facets && copy.tetrahedra == mesh.tetrahedra);
+  // what is refused leaves the stream empty
+  for(const bool is_finite : {false, true}) {
+    std::istringstream original(is_finite ? head + "0 1 2 3 0 0" : head + cell + tail);
+    std::ostringstream nothing;
+    auto uvw = mesh.uvw;
+    uvw[3][0] = is_finite ? 0. : std::numeric_limits<double>::infinity();
+    CHECK(!IO::rewrite_HEXEX(original, nothing, uvw) && nothing.str().empty());
+  }
   for(const auto& [text, line] :
       std::vector<std::pair<std::string, std::size_t> >{
         {"x", 1}, {"4\n0 0", 2}, {"99999999999\n", 1}, {head + "0 1 2 4", 7},

@@ -173,6 +173,40 @@ inline void test_two_cells()
               Outcome::NOT_ALIGNED);
 }
 
+// A component of the mesh has no flips if all its cells are listed the other way round, or if it is
+// mirrored.
+inline void test_components_listed_negatively()
+{
+  const Tet_map one = box_map(3);
+  for(const bool is_mirrored : {false, true}) {
+    Tet_map map = one, alone = one;
+    for(std::size_t c = 0; c < one.cells.size(); ++c) { // a second component
+      map.cells.push_back(one.cells[c]);
+      for(int& v : map.cells.back())
+        v += 10000;
+      for(std::size_t i = 4 * c; i < 4 * c + 4; ++i)
+        map.corners.push_back(one.corners[i]);
+      for(Tet_map* const m : {&map, &alone}) {
+        const std::size_t last = m == &map ? map.cells.size() - 1 : c;
+        if(!is_mirrored) {
+          std::swap(m->cells[last][0], m->cells[last][1]);
+          std::swap(m->corners[4 * last], m->corners[4 * last + 1]);
+        } else
+          for(std::size_t i = 4 * last; i < 4 * last + 4; ++i)
+            std::swap(m->corners[i][0], m->corners[i][1]);
+      }
+    }
+    for(Tet_map* const m : {&map, &alone}) {
+      const auto measure = Snapping::measure_volume_seamlessness(m->cells, Double_map{m});
+      CHECK_EQUAL(measure.number_of_flipped_cells, std::size_t(0));
+      const auto np = parameters::integer_grid(true).grid_scale(4.).rounding_tolerance(10.);
+      CHECK_EQUAL(snap(*m, np).status, Outcome::SNAPPED);
+      const auto grid = Snapping::measure_volume_integer_grid(m->cells, Double_map{m});
+      CHECK(grid && grid.number_of_nonpositive_cells == 0 && grid.volume > 0);
+    }
+  }
+}
+
 // Names of vertices that are much larger than their number change nothing.
 inline void test_large_names()
 {

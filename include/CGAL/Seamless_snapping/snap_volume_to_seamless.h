@@ -71,7 +71,9 @@ failure nothing changes.
 
 \param tetrahedra the cells: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices, in either
        orientation. The orientation of most cells of a component counts, or that of the first cell
-       if there is no majority. If a component is not orientable, each cell keeps its own.
+       if there is no majority. If a component is not orientable, each cell keeps its own. A cell
+       is flipped if its orientation in the domain differs from that of most cells of its component:
+       a component that is mirrored as a whole has no flips.
 \param uvw_map the coordinates of each corner: key `4 * i + k` is vertex `k` of cell `i`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
         below
@@ -147,7 +149,7 @@ failure nothing changes.
     \cgalParamType{`Flip_repair` or Boolean}
     \cgalParamDefault{`Flip_repair::NONE`}
     \cgalParamExtra{Repairs never cost a cell its orientation. If flips remain, the status is
-                    `Outcome::FLIPS_REMAIN`.}
+                    `Outcome::FLIPS_REMAIN`, with `integer_grid` also without repairs.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_untangling_iterations}
     \cgalParamDescription{bounds the work of repairs: the largest number of passes over the vertices
@@ -171,10 +173,11 @@ failure nothing changes.
 \cgalNamedParamsEnd
 
 \return the status and figures. The report converts to `true` if and only if the parametrization is
-        exactly seamless and aligned. If `repair_flips` was passed and cells stay flipped, the
-        status is `FLIPS_REMAIN`, which converts to `true`. For volumes, the faces and edges of
-        `Snapping_report` are cells and facets, nodes are the vertices in the constraint system, and
-        branches are sheets of cut facets and levels of aligned facets. On failure,
+        exactly seamless and aligned. If `repair_flips` or `integer_grid` was
+        passed and cells stay flipped, the status is `FLIPS_REMAIN`, which converts to `true`. For
+        volumes, the faces and edges of `Snapping_report` are cells and facets, nodes are the
+        vertices in the constraint system, and branches are sheets of cut facets and levels of
+        aligned facets. On failure,
         `Snapping_report::status` is
         - `NOT_MANIFOLD`: a facet belongs to more than two cells, or two cells have the same
           vertices and no neighbors were given;

@@ -36,8 +36,9 @@ enum class Outcome
   SUCCESS,            ///< the result was written, by a function that snaps nothing
   ALREADY_EXACT,      ///< all constraints held exactly before; nothing was written
   SNAPPED,            ///< values were moved, and now all constraints hold exactly
-  /// all constraints hold exactly, but some faces that `repair_flips` asked for are not positive.
-  /// `Snapping_report::largest_change` is 0 if nothing was written
+  /// all constraints hold exactly, but some faces that `repair_flips` asked for, or some cells of
+  /// an integer grid, are not positive. `Snapping_report::largest_change` is 0 if nothing was
+  /// written
   FLIPS_REMAIN,
 
   INVALID_ARGUMENT,   ///< no face, sizes that do not match, a parameter out of its range

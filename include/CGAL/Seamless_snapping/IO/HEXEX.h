@@ -19,15 +19,16 @@
 
 #include <CGAL/Seamless_snapping/internal/IO/HEXEX_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/file_access.h>
-#include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <ios>
 #include <istream>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -53,6 +54,9 @@ struct HEXEX_mesh
   std::vector<std::array<std::int32_t, 4> > tetrahedra; ///< the vertices of each cell
   /// the coordinates of corner \f$ k \f$ of cell \f$ i \f$, at \f$ 4 i + k \f$
   std::vector<std::array<double, 3> > uvw;
+  /// the vertices of each wall, if the file has walls; their distances are not kept, and walls are
+  /// not written
+  std::vector<std::array<std::int32_t, 3> > walls;
   std::vector<std::int32_t> feature_vertices;              ///< if the file has features
   std::vector<std::array<std::int32_t, 2> > feature_edges;  ///< if the file has features
   std::vector<std::array<std::int32_t, 3> > feature_facets; ///< if the file has features
@@ -111,24 +115,91 @@ inline std::string text_of_mesh(const IO::HEXEX_mesh& mesh)
   return text;
 }
 
-// The text with other coordinates. Coordinates that do not change keep their digits.
-inline std::string rewritten_HEXEX(const std::string& original,
-                                   const std::vector<std::array<double, 3> >& uvw)
+struct Uvw_collector
 {
-  const auto content = HEXEX_parser<IO::HEXEX_mesh>(original).parse();
-  const auto& old = content.mesh.uvw;
-  if(uvw.size() != old.size())
-    throw File_refusal(0, "the original has " + std::to_string(old.size()) +
-                       " corners, and there are coordinates for " + std::to_string(uvw.size()));
-  Text_copy copy(original);
-  for(std::size_t i = 0; i < content.tokens.size(); ++i)
-    if(old[i / 3][i % 3] != uvw[i / 3][i % 3] || content.is_rounded[i] != 0) {
-      std::string decimal;
-      append_number(uvw[i / 3][i % 3], decimal);
-      copy.replace(content.tokens[i], decimal);
-    }
-  return copy.take();
+  std::vector<std::array<double, 3> > uvw;
+  std::size_t size = 0;
+
+  void start(const std::size_t number_of_corners) { uvw.reserve(number_of_corners); }
+  void visit(std::string_view, const double x, bool)
+  {
+    if(size % 3 == 0)
+      uvw.emplace_back();
+    uvw[size / 3][size % 3] = x;
+    ++size;
+  }
+};
+
+inline IO::HEXEX_mesh mesh_of_text(const std::string& text)
+{
+  Uvw_collector collector;
+  IO::HEXEX_mesh mesh = HEXEX_parser<IO::HEXEX_mesh, Uvw_collector>(text, collector).parse();
+  mesh.uvw.swap(collector.uvw);
+  return mesh;
 }
+
+// Copies a text with other coordinates piece by piece: a large one is not in memory twice.
+// Coordinates that stay keep their digits.
+class HEXEX_rewriter
+{
+public:
+  HEXEX_rewriter(const std::string& original, std::ostream& os,
+                 const std::vector<std::array<double, 3> >& uvw)
+    : m_original(original), m_os(os), m_uvw(uvw)
+  { }
+
+  // All refusals come from the first of two passes, before anything is written.
+  void run()
+  {
+    parse();
+    m_writes = true;
+    m_size = 0;
+    parse();
+    write_until(m_original.size());
+    if(!m_os.flush())
+      throw File_refusal(0, "cannot write to the stream");
+  }
+
+  void start(const std::size_t number_of_corners) const
+  {
+    if(m_uvw.size() != number_of_corners)
+      throw File_refusal(0, "the original has " + std::to_string(number_of_corners) +
+                         " corners, and there are coordinates for " +
+                         std::to_string(m_uvw.size()));
+  }
+
+  void visit(const std::string_view token, const double x, const bool is_rounded)
+  {
+    const double to = m_uvw[m_size / 3][m_size % 3];
+    ++m_size;
+    if(x == to && !is_rounded)
+      return;
+    m_number.clear();
+    append_number(to, m_number); // refuses those that are not finite
+    if(!m_writes)
+      return;
+    write_until(std::size_t(token.data() - m_original.data()));
+    m_os << m_number;
+    m_copied += token.size();
+  }
+
+private:
+  void parse() { HEXEX_parser<IO::HEXEX_mesh, HEXEX_rewriter>(m_original, *this).parse(); }
+
+  void write_until(const std::size_t end)
+  {
+    m_os.write(m_original.data() + m_copied, static_cast<std::streamsize>(end - m_copied));
+    m_copied = end;
+  }
+
+  const std::string& m_original;
+  std::ostream& m_os;
+  const std::vector<std::array<double, 3> >& m_uvw;
+  std::string m_number;
+  std::size_t m_size = 0;   // coordinates so far
+  std::size_t m_copied = 0; // the original, up to this position
+  bool m_writes = false;
+};
 
 } // namespace internal
 /// \endcond
@@ -145,8 +216,7 @@ The file consists of words, separated by blanks and line ends:
 -# the number of vertices, and three coordinates for each;
 -# the number of cells, and for each four vertices, which count from 0, and twelve numbers
    \f$ u, v, w \f$, corner by corner;
--# optionally the number of walls, alone in a line, and for each three vertices and a distance,
-   which are not kept;
+-# optionally the number of walls, alone in a line, and for each three vertices and a distance;
 -# optionally a line with the numbers of feature vertices, feature edges, and feature facets,
    followed by their vertices. . Numbers may be fractions `p/q` of integers.
 
@@ -165,8 +235,7 @@ template <typename Source>
 File_status read_HEXEX(Source&& source, HEXEX_mesh& mesh)
 {
   return internal::status_of_writing([&] {
-    const std::string text = internal::text_of(source);
-    mesh = internal::HEXEX_parser<HEXEX_mesh>(text).parse().mesh;
+    mesh = internal::mesh_of_text(internal::text_of(source));
   });
 }
 
@@ -221,7 +290,8 @@ inline File_status rewrite_HEXEX(std::istream& original, std::ostream& os,
                                  const std::vector<std::array<double, 3> >& uvw)
 {
   return internal::status_of_writing([&] {
-    internal::write_text(os, internal::rewritten_HEXEX(internal::text_of(original), uvw));
+    const std::string text = internal::text_of(original);
+    internal::HEXEX_rewriter(text, os, uvw).run();
   });
 }
 

@@ -40,7 +40,7 @@ struct Volume_seamlessness
   std::size_t number_of_aligned_edges = 0;   ///< edges that were asked to be aligned
   /// aligned facets without a constant coordinate, and aligned edges without two
   std::size_t number_of_misalignments = 0;
-  /// cells of negative orientation, relative to the orientation of most cells around
+  /// cells with another orientation than most cells of their component of the mesh
   std::size_t number_of_flipped_cells = 0;
   std::size_t number_of_degenerate_cells = 0; ///< cells of no volume
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
@@ -55,7 +55,7 @@ struct Volume_seamlessness
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-The result of `measure_volume_integer_grid()`. The counts are exact. Distances and the volume are
+The result of `measure_volume_integer_grid()`. The counts are exact. Distances are
 computed in floating point.
 */
 struct Volume_integer_grid_measure
@@ -79,8 +79,8 @@ struct Volume_integer_grid_measure
   double translation_distance = 0; ///< the largest distance of a translation from an integer
   /// the largest distance of an aligned facet from an integer plane, or of an edge from a line
   double alignment_distance = 0;
-  /// the signed volume of all cells; in an integer-grid map with aligned boundary, it is the number
-  /// of hexahedra
+  /// the signed volume of all cells, computed exactly and rounded to a `double`; in an integer-grid
+  /// map with aligned boundary, it is the number of hexahedra
   double volume = 0;
 
   /// returns `true` if and only if the map is exactly an integer-grid map. Orientations are

@@ -19,7 +19,9 @@
 // what displacements can do to it.
 
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
+#include <CGAL/determinant.h>
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/predicates/sign_of_determinant.h>
 
 #include <algorithm>
@@ -96,6 +98,19 @@ inline CGAL::Orientation orientation(const Uv_triangle& t)
 
 using Uvw_tetrahedron = std::array<Uvw, 4>;
 
+// Six times the volume, with its sign.
+// \tparam Number an exact ring
+template <typename Number>
+Number exact_determinant(const Uvw_tetrahedron& t)
+{
+  std::array<std::array<Number, 3>, 3> e;
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t c = 0; c < 3; ++c)
+      e[i][c] = Number(t[i + 1][c]) - Number(t[0][c]);
+  return CGAL::determinant<Number>(e[0][0], e[0][1], e[0][2], e[1][0], e[1][1], e[1][2], e[2][0],
+                                   e[2][1], e[2][2]);
+}
+
 // The sign of the volume, exactly: positive where the first corner sees the others
 // counterclockwise from inside, as in CGAL. The number type is that of CGAL's own predicates where
 // their intervals can't tell.
@@ -118,13 +133,7 @@ inline CGAL::Orientation orientation(const Uvw_tetrahedron& t)
   const double bound = 2e-15 * permanent + 1e-300 * (1 + length); // underflow, too
   if(std::isfinite(permanent) && std::abs(det) > bound)
     return det > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
-  using Number = CGAL::internal::Exact_ring_selector<double>::Type;
-  std::array<std::array<Number, 3>, 3> e;
-  for(std::size_t i = 0; i < 3; ++i)
-    for(std::size_t c = 0; c < 3; ++c)
-      e[i][c] = Number(t[i + 1][c]) - Number(t[0][c]);
-  return CGAL::sign_of_determinant<Number>(e[0][0], e[0][1], e[0][2], e[1][0], e[1][1], e[1][2],
-                                           e[2][0], e[2][1], e[2][2]);
+  return CGAL::sign(exact_determinant<CGAL::internal::Exact_ring_selector<double>::Type>(t));
 }
 
 // Whether faces are flipped since the whole map is: more than nine of ten, as a map can be repaired

@@ -170,35 +170,29 @@ private:
   std::size_t m_position = 0, m_line = 1;
 };
 
-// Invariant: what is between the tokens of coordinates, and behind them, is the rest of the file.
-// \tparam Mesh `IO::HEXEX_mesh`
-template <typename Mesh>
-struct HEXEX_content
-{
-  Mesh mesh;
-  std::vector<std::string_view> tokens; // of the coordinates, three per corner
-  std::vector<char> is_rounded;         // per token: no double holds the number
-};
-
 // A file holds: the number of vertices, and their points; the number of cells, and for each four
 // vertices and the coordinates of its corners. Then perhaps the number of walls alone in a line,
 // and three vertices and a distance for each; and perhaps the numbers of feature vertices, edges
-// and facets in a line, and their vertices.
-template <typename Mesh>
+// and facets in a line, and their vertices. The coordinates of corners, which are most of a file,
+// go to a visitor: its `start(number_of_corners)` is called before the first one, and then
+// `visit(token, number, is_rounded)` for each. The rest of the file is between these tokens and
+// behind them.
+// \tparam Mesh `IO::HEXEX_mesh`
+template <typename Mesh, typename Visitor>
 class HEXEX_parser
 {
 public:
-  // \param text must live as long as the tokens are used
-  explicit HEXEX_parser(const std::string_view text)
-    : m_scanner(text), m_size_of_text(text.size())
+  HEXEX_parser(const std::string_view text, Visitor& visitor)
+    : m_scanner(text), m_size_of_text(text.size()), m_visitor(visitor)
   { }
 
-  HEXEX_content<Mesh> parse()
+  // All but the coordinates of corners.
+  Mesh parse()
   {
     read_points();
     read_cells();
     read_tail();
-    return std::move(m_content);
+    return std::move(m_mesh);
   }
 
 private:
@@ -241,19 +235,14 @@ private:
   {
     const std::size_t size = next_count("the number of cells");
     m_mesh.tetrahedra.resize(size);
-    m_mesh.uvw.reserve(4 * size);
-    m_content.tokens.reserve(12 * size);
+    m_visitor.start(4 * size);
     for(std::array<std::int32_t, 4>& cell : m_mesh.tetrahedra) {
       for(std::int32_t& v : cell)
         v = next_vertex();
-      for(int i = 0; i < 4; ++i) {
-        std::array<double, 3>& u = m_mesh.uvw.emplace_back();
-        for(double& x : u) {
-          x = next_number();
-          m_content.tokens.push_back(m_token);
-          m_content.is_rounded.push_back(m_is_rounded);
-          m_mesh.number_of_rounded_coordinates += m_is_rounded ? 1 : 0;
-        }
+      for(int i = 0; i < 12; ++i) {
+        const double x = next_number();
+        m_visitor.visit(m_token, x, m_is_rounded);
+        m_mesh.number_of_rounded_coordinates += m_is_rounded ? 1 : 0;
       }
     }
   }
@@ -277,8 +266,7 @@ private:
     std::vector<std::size_t> counts = counts_of_line();
     if(counts.size() == 1) {
       for(std::size_t i = 0; i < counts[0]; ++i) {
-        for(int k = 0; k < 3; ++k)
-          next_vertex();
+        m_mesh.walls.push_back({next_vertex(), next_vertex(), next_vertex()});
         next_number();
       }
       counts = counts_of_line();
@@ -301,8 +289,8 @@ private:
   std::size_t m_size_of_text;
   std::string_view m_token;
   bool m_is_rounded = false;
-  HEXEX_content<Mesh> m_content;
-  Mesh& m_mesh = m_content.mesh;
+  Visitor& m_visitor;
+  Mesh m_mesh;
 };
 
 } // namespace internal

@@ -26,6 +26,7 @@
 #include <ios>
 #include <istream>
 #include <ostream>
+#include <streambuf>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -41,6 +42,17 @@ inline std::string reason_of_system()
   return errno == 0 ? std::string() : ": " + std::generic_category().message(errno);
 }
 
+// The number of characters up to the end of what can be searched, such as a file; else 0.
+inline std::size_t remaining_size(std::streambuf& buffer)
+{
+  const std::streamoff begin = buffer.pubseekoff(0, std::ios_base::cur, std::ios_base::in);
+  if(begin < 0)
+    return 0;
+  const std::streamoff end = buffer.pubseekoff(0, std::ios_base::end, std::ios_base::in);
+  buffer.pubseekpos(begin, std::ios_base::in);
+  return end > begin ? static_cast<std::size_t>(end - begin) : 0;
+}
+
 // Reads a stream to its end. Throws if that fails. Reads from its buffer, since members of the
 // stream would take the end for a failure, for which it may have been asked to throw.
 inline std::string text_of(std::istream& is)
@@ -53,6 +65,8 @@ inline std::string text_of(std::istream& is)
   try {
     for(std::streamsize count = size; count == size;) {
       count = is.rdbuf()->sgetn(buffer.data(), size);
+      if(text.empty() && count == size) // what has no end can't be read at all
+        text.reserve(buffer.size() + remaining_size(*is.rdbuf()));
       text.append(buffer.data(), static_cast<std::size_t>(count));
     }
   } catch(const std::ios_base::failure&) { // how some libraries tell that a file cannot be read

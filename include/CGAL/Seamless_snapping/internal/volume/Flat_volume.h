@@ -45,8 +45,9 @@ inline std::array<Corner_index, 3> corners_of_facet(const Corner_index facet)
   return {first + (i + 1) % 4, first + (i + 2) % 4, first + (i + 3) % 4};
 }
 
-// Cells that the caller lists in the other orientation than most cells around. Inside, their first
-// two corners are exchanged, so that signs of volumes mean the same in all cells.
+// Cells that the caller lists in the other orientation than most cells around, and all cells of
+// components that are mostly negative in the domain. Inside, their first two corners are exchanged,
+// so that signs of volumes mean the same in all cells.
 struct Turned_cells
 {
   std::vector<char> is_turned; // per cell of the caller's; empty if none is
@@ -62,15 +63,6 @@ struct Turned_cells
 inline Uvw_tetrahedron uvw_of_cell(const std::vector<Uvw>& u, const std::size_t c)
 {
   return {u[4 * c], u[4 * c + 1], u[4 * c + 2], u[4 * c + 3]};
-}
-
-// Files may list corners in the other order.
-inline CGAL::Orientation orientation_of_most_cells(const std::vector<Uvw>& u)
-{
-  std::ptrdiff_t surplus = 0;
-  for(std::size_t c = 0; c < u.size() / 4; ++c)
-    surplus += int(orientation(uvw_of_cell(u, c)));
-  return surplus < 0 ? CGAL::NEGATIVE : CGAL::POSITIVE;
 }
 
 // Six times the volume of a cell, in floating point.

@@ -137,6 +137,15 @@ struct Tetrahedra
     return result;
   }
 
+  // Lists a cell in the other orientation.
+  void turn(const std::size_t c)
+  {
+    turned.is_turned.resize(number_of_cells(), 0);
+    turned.is_turned[c] ^= 1;
+    std::swap(vertices[4 * c], vertices[4 * c + 1]);
+    std::swap(neighbors[4 * c], neighbors[4 * c + 1]);
+  }
+
   std::int32_t name(const std::int32_t v) const
   {
     return names.empty() ? v : names[std::size_t(v)];
@@ -264,7 +273,8 @@ inline std::optional<Refusal> find_opposite(const Tetrahedra& tetrahedra, const 
                          "one orientation, or leave cell_neighbors out");
   if(other < 0)
     return invalid_cells("cell_neighbors, cell " + c + ": " + d + " is no cell with the facet "
-                         "opposite to vertex " + std::to_string(facet % 4));
+                         "opposite to vertex " +
+                         std::to_string(tetrahedra.turned.key(std::size_t(facet)) % 4));
   return invalid_cells("cell_neighbors: cell " + c + " has the neighbor " + d +
                        ", but not the other way round");
 }
@@ -284,14 +294,10 @@ inline void turn_cells(Tetrahedra& tetrahedra)
   std::vector<std::int32_t> surplus(components.size(), 0); // per root: of cells that agree with it
   for(std::size_t c = 0; c < components.size(); ++c)
     surplus[components.root(c)] += components.find(c).sign;
-  tetrahedra.turned.is_turned.assign(components.size(), 0);
   for(std::size_t c = 0; c < components.size(); ++c) {
     const auto [root, sign] = components.find(c);
-    if(components.is_zero(root) || (surplus[root] < 0) != (sign > 0))
-      continue;
-    tetrahedra.turned.is_turned[c] = 1;
-    std::swap(tetrahedra.vertices[4 * c], tetrahedra.vertices[4 * c + 1]);
-    std::swap(tetrahedra.neighbors[4 * c], tetrahedra.neighbors[4 * c + 1]);
+    if(!components.is_zero(root) && (surplus[root] < 0) == (sign > 0))
+      tetrahedra.turn(c);
   }
 }
 

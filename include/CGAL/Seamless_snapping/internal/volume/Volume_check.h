@@ -344,18 +344,14 @@ inline void measure_singular_edges(const Flat_volume& volume, const Volume_trans
 
 inline void measure_orientations(const Flat_volume& volume, Volume_integer_grid_measure& measure)
 {
-  std::size_t positive = 0, negative = 0;
+  using Number = CGAL::internal::Exact_ring_selector<double>::Type;
+  Number six_volumes(0);
   for(std::size_t c = 0; c < volume.number_of_cells(); ++c) {
     const Uvw_tetrahedron u = uvw_of_cell(volume.coordinates, c);
-    const CGAL::Orientation sign = orientation(u);
-    positive += std::size_t(sign == CGAL::POSITIVE);
-    negative += std::size_t(sign == CGAL::NEGATIVE);
-    measure.volume += six_times_volume(u) / 6;
+    measure.number_of_nonpositive_cells += std::size_t(orientation(u) != CGAL::POSITIVE);
+    six_volumes += exact_determinant<Number>(u);
   }
-  measure.number_of_nonpositive_cells =
-    volume.number_of_cells() - (std::max)(positive, negative);
-  if(negative > positive)
-    measure.volume = -measure.volume;
+  measure.volume = CGAL::to_double(six_volumes) / 6;
 }
 
 // How far a map is from that of an integer grid, to one who sees its coordinates only.

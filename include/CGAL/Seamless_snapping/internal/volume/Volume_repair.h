@@ -52,14 +52,14 @@ public:
                 const Volume_sectors& sectors, const Volume_places& places,
                 const Place_solver& solver, std::vector<Uvw>& coordinates)
     : m_volume(input), m_charts(charts), m_sectors(sectors), m_places(places), m_solver(solver),
-      m_orientation(orientation_of_most_cells(input.coordinates)), m_coordinates(coordinates)
+      m_coordinates(coordinates)
   {
     int exponent = 0;
     std::frexp(input.extent, &exponent);
     m_scale = std::ldexp(1., -exponent); // keeps determinants in range
   }
 
-  // The cells that had the orientation of most cells in the input, and have lost it.
+  // The cells that were positive in the input, and are not any more.
   std::vector<std::size_t> lost_cells() const
   {
     std::vector<std::size_t> result;
@@ -89,7 +89,7 @@ private:
     const Uvw_tetrahedron now = uvw_of_cell(m_coordinates, c);
     if(before == now)
       return false;
-    return orientation(now) != m_orientation && orientation(before) == m_orientation;
+    return orientation(now) != CGAL::POSITIVE && orientation(before) == CGAL::POSITIVE;
   }
 
   std::size_t number_of_lost_cells(const Member_index member) const
@@ -193,8 +193,7 @@ private:
     std::vector<double> wanted;
     m_members->for_each_corner(member, [&](const std::size_t slot, const Corner_index corner) {
       const std::size_t i = std::size_t(corner);
-      const double sign = m_orientation == CGAL::NEGATIVE ? -1 : 1;
-      const double before = sign * volume(m_volume.coordinates, i / 4);
+      const double before = volume(m_volume.coordinates, i / 4);
       if(before < 0) // has nothing to lose
         return;
       const Uvw slope = Group::apply(Group::inverse(element(freedom, slot, i)), gradient(i));
@@ -202,11 +201,11 @@ private:
       for(Eigen::Index d = 0; d < dimension; ++d)
         for(std::size_t c = 0; c < 3; ++c)
           if(freedom.first[c] == int(directions[std::size_t(d)]))
-            row[d] += sign * freedom.sign[c] * slope[c];
+            row[d] += freedom.sign[c] * slope[c];
       const double length = row.norm();
       if(length > 0) {
         rows.push_back(row / length);
-        wanted.push_back((part * before - sign * volume(m_coordinates, i / 4)) / length);
+        wanted.push_back((part * before - volume(m_coordinates, i / 4)) / length);
       }
     });
     Eigen::MatrixXd a(Eigen::Index(rows.size()), dimension);
@@ -241,7 +240,6 @@ private:
   const Volume_places& m_places;
   const Place_solver& m_solver;
   double m_largest_change = 0;
-  CGAL::Orientation m_orientation; // that of most cells
   std::vector<Uvw>& m_coordinates; // per corner
   std::optional<Volume_members> m_members; // where some cell was lost
   double m_scale = 1;

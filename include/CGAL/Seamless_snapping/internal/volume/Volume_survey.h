@@ -363,6 +363,41 @@ private:
   std::vector<Flat_volume::Aligned_edge> m_aligned_edges;
 };
 
+// Exchanges two corners of all cells of each component of the mesh in which most cells have a
+// negative orientation in the domain: these are listed the other way round, or the component is
+// mirrored as a whole, and no cell is flipped against the others.
+template <typename CornerUVWMap>
+void turn_negative_components(const CornerUVWMap& uvw_map, Tetrahedra& tetrahedra)
+{
+  const std::size_t size = tetrahedra.number_of_cells();
+  std::vector<signed char> sign(size, 0);
+  bool is_some_negative = false;
+  for(std::size_t c = 0; c < size; ++c) {
+    Uvw_tetrahedron u;
+    bool is_finite = true; // else the survey refuses the map
+    for(std::size_t i = 0; i < 4; ++i) {
+      u[i] = get_uvw(uvw_map, tetrahedra.turned.key(4 * c + i));
+      is_finite = is_finite && std::isfinite(u[i][0]) && std::isfinite(u[i][1]) &&
+                  std::isfinite(u[i][2]);
+    }
+    if(is_finite)
+      sign[c] = static_cast<signed char>(orientation(u));
+    is_some_negative = is_some_negative || sign[c] < 0;
+  }
+  if(!is_some_negative)
+    return;
+  Signed_union_find components(size);
+  for(std::size_t f = 0; f < tetrahedra.neighbors.size(); ++f)
+    if(tetrahedra.neighbors[f] >= 0)
+      components.unite(f / 4, std::size_t(tetrahedra.neighbors[f]));
+  std::vector<std::int32_t> surplus(size, 0); // per root: of positive cells
+  for(std::size_t c = 0; c < size; ++c)
+    surplus[components.root(c)] += sign[c];
+  for(std::size_t c = 0; c < size; ++c)
+    if(surplus[components.root(c)] < 0)
+      tetrahedra.turn(c);
+}
+
 // Separate, as by then what the survey needs can be gone.
 template <typename CornerUVWMap>
 void read_coordinates(const CornerUVWMap& uvw_map, Flat_volume& volume)

@@ -51,12 +51,11 @@ class Volume_untangler
 
 public:
   // \param rest the shapes that cells are to keep, per corner, where they are positive
-  // \param orientation of cells that need no repair
   Volume_untangler(const Volume_members& members, const Flat_volume& volume,
-                   const std::vector<Uvw>& rest, const CGAL::Orientation orientation,
-                   const Number_format& format, std::vector<Uvw>& coordinates)
-    : m_members(members), m_volume(volume), m_rest(rest), m_orientation(orientation),
-      m_format(format), m_coordinates(coordinates)
+                   const std::vector<Uvw>& rest, const Number_format& format,
+                   std::vector<Uvw>& coordinates)
+    : m_members(members), m_volume(volume), m_rest(rest), m_format(format),
+      m_coordinates(coordinates)
   { }
 
   std::vector<std::size_t> cells_to_repair() const
@@ -104,7 +103,7 @@ public:
 private:
   bool is_good(const std::size_t c) const
   {
-    return orientation(uvw_of_cell(m_coordinates, c)) == m_orientation;
+    return orientation(uvw_of_cell(m_coordinates, c)) == CGAL::POSITIVE;
   }
 
   // The more cells are inverted, the more they may weigh without bound.
@@ -138,7 +137,7 @@ private:
     });
     for_each_moved([&](const std::size_t c, const Member_index m, std::size_t& first) {
       if(first == m_members.size()) {
-        const bool was_good = orientation(uvw_of_cell(before, c)) == m_orientation;
+        const bool was_good = orientation(uvw_of_cell(before, c)) == CGAL::POSITIVE;
         const bool is_now = is_good(c);
         counts[moves.root(m)][0] += std::size_t(is_now && !was_good);
         counts[moves.root(m)][1] += std::size_t(was_good && !is_now);
@@ -266,14 +265,14 @@ private:
   {
     constexpr double least_volume = 1e-3; // against the third power of the size
     const Matrix rest = edges(uvw_of_cell(m_rest, c));
-    const double size = rest.norm(), sign = m_orientation == CGAL::POSITIVE ? 1 : -1;
-    if(!m_may_lose && sign * rest.determinant() > least_volume * size * size * size)
+    const double size = rest.norm();
+    if(!m_may_lose && rest.determinant() > least_volume * size * size * size)
       return rest;
     Matrix regular;
     regular << 1, 1, 0,
                1, 0, 1,
                0, 1, 1; // of negative orientation
-    return -sign * (size > 0 ? size : m_volume.extent * 1e-3) / regular.norm() * regular;
+    return -(size > 0 ? size : m_volume.extent * 1e-3) / regular.norm() * regular;
   }
 
   static Vector move(const Star_cell& c, const Vector& z)
@@ -386,7 +385,6 @@ private:
   const Volume_members& m_members;
   const Flat_volume& m_volume;
   const std::vector<Uvw>& m_rest;
-  CGAL::Orientation m_orientation;
   Number_format m_format;
   std::vector<Uvw>& m_coordinates;
   bool m_may_lose = false;

@@ -92,6 +92,7 @@ std::optional<Refusal> read_volume(const TetrahedronRange& range, const CornerUV
                             "feature_edges", features.edges);
   if(refusal)
     return refusal;
+  turn_negative_components(uvw_map, tetrahedra);
   features.sort();
   if(cells == Cells_to_read::ALL) {
     further_vertices.clear();

@@ -62,11 +62,10 @@ public:
     if(m_report.status == Outcome::SNAPPED)
       m_volume.coordinates.swap(snapped);
     m_report.lost_faces.clear();
-    const CGAL::Orientation orientation = orientation_of_most_cells(input);
     if(m_options.rounds || m_options.flip_repair != Flip_repair::NONE)
-      if(const auto refusal = round_and_repair(input, orientation))
+      if(const auto refusal = round_and_repair(input))
         return refusal;
-    compare_with(input, orientation);
+    compare_with(input);
     snapped = m_volume.coordinates;
     if(m_options.rounds)
       return refusal_of_collapse();
@@ -97,8 +96,7 @@ private:
     return std::nullopt;
   }
 
-  std::optional<Refusal> round_and_repair(const std::vector<Uvw>& input,
-                                          const CGAL::Orientation orientation)
+  std::optional<Refusal> round_and_repair(const std::vector<Uvw>& input)
   {
     if(m_options.rounds)
       if(const auto refusal = add_grid_edges(m_volume))
@@ -110,7 +108,7 @@ private:
            Volume_rounder(m_volume, structure, m_options.tolerance * m_volume.extent,
                           m_options.rounding_tolerance, m_format, m_report, m_timer).run(u))
         return refusal;
-    if(const auto refusal = repair(structure, input, orientation, u))
+    if(const auto refusal = repair(structure, input, u))
       return refusal;
     look_for_levels(structure, u);
     m_volume.coordinates.swap(u);
@@ -119,10 +117,10 @@ private:
 
   // After roundings, near by at least: their displacement may have made flips.
   std::optional<Refusal> repair(const Volume_structure& structure, const std::vector<Uvw>& input,
-                                const CGAL::Orientation orientation, std::vector<Uvw>& u)
+                                std::vector<Uvw>& u)
   {
     constexpr std::size_t reach_near_by = 2;
-    Volume_untangler untangler(structure.members, m_volume, input, orientation, m_format, u);
+    Volume_untangler untangler(structure.members, m_volume, input, m_format, u);
     std::size_t& passes = m_report.run.number_of_untangling_iterations;
     passes = untangler.run(m_options.number_of_untangling_iterations, reach_near_by, false);
     if(m_options.flip_repair == Flip_repair::UNTANGLE)
@@ -145,19 +143,30 @@ private:
   std::optional<Refusal> refusal_of_collapse()
   {
     m_volume.aligned_edges.resize(m_number_of_feature_edges);
-    const bool are_most = 2 * m_report.lost_faces.size() >= m_volume.number_of_cells();
+    const std::vector<std::size_t> &lost = m_report.lost_faces, &flips = m_report.remaining_flips;
+    const bool are_most = 2 * lost.size() >= m_volume.number_of_cells();
     if(!are_most && measure_integer_grid(m_volume))
       return std::nullopt;
+    const auto example = [](const std::vector<std::size_t>& cells) {
+      return ", such as cell " + std::to_string(cells.front());
+    };
+    std::string message = are_most ? "at the nearest integers, most cells lose their orientation"
+                                   : "the grid can't be told from the coordinates any more, once "
+                                     "these are at the nearest integers";
+    if(!lost.empty())
+      message += ": " + counted(lost.size(), "cell") +
+                 (lost.size() == 1 ? " loses its orientation" : " lose their orientation") +
+                 example(lost);
+    if(!flips.empty())
+      message += (lost.empty() ? ": " : ", and ") + counted(flips.size(), "cell") +
+                 (flips.size() == 1 ? " was" : " were") + " flipped or degenerate before" +
+                 example(flips);
     return Refusal(Outcome::NOT_INTEGER,
-                   "at the nearest integers, " + counted(m_report.lost_faces.size(), "cell") +
-                     (m_report.lost_faces.size() == 1 ? " loses its orientation"
-                                                      : " lose their orientation") +
-                     (m_report.lost_faces.empty()
-                        ? std::string()
-                        : ", such as cell " + std::to_string(m_report.lost_faces.front())) +
-                     (are_most ? ": these are most of them"
-                               : ", and the grid can't be told from the coordinates any more") +
-                     "; scale the map up by grid_scale, as no repair brings these back");
+                   message + (lost.empty() && !flips.empty()
+                                ? "; repair these first, by Flip_repair::UNTANGLE without "
+                                  "integer_grid, or scale the map up by grid_scale"
+                                : "; scale the map up by grid_scale, as no repair brings these "
+                                  "back"));
   }
 
   // Cells all of whose vertices lie in one plane that a level fixes each, whatever the coordinates
@@ -191,14 +200,14 @@ private:
   }
 
   // All that came between does not count.
-  void compare_with(const std::vector<Uvw>& input, const CGAL::Orientation sign)
+  void compare_with(const std::vector<Uvw>& input)
   {
     m_report.largest_change = 0;
     m_report.run.number_of_repaired_flips = 0;
     const std::vector<Uvw>& u = m_volume.coordinates;
     for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c) {
-      const bool was_good = orientation(uvw_of_cell(input, c)) == sign,
-                 is_good = orientation(uvw_of_cell(u, c)) == sign;
+      const bool was_good = orientation(uvw_of_cell(input, c)) == CGAL::POSITIVE,
+                 is_good = orientation(uvw_of_cell(u, c)) == CGAL::POSITIVE;
       if(!is_good)
         (was_good ? m_report.lost_faces : m_report.remaining_flips).push_back(c);
       m_report.run.number_of_repaired_flips += std::size_t(is_good && !was_good);
@@ -209,17 +218,21 @@ private:
     }
     m_report.status = m_options.grid_scale == 1 && u == input ? Outcome::ALREADY_EXACT
                                                               : Outcome::SNAPPED;
-    if(m_options.flip_repair == Flip_repair::NONE)
+    if(!has_to_be_positive())
       m_report.remaining_flips.clear();
     if(m_report.lost_faces.size() + m_report.remaining_flips.size() > 0)
       tell_of_cells();
   }
 
-  // In the status, too, where repairs were asked for.
+  // Repairs ask for positive cells, and so do hexahedra.
+  bool has_to_be_positive() const
+  { return m_options.rounds || m_options.flip_repair != Flip_repair::NONE; }
+
+  // In the status, too, where cells are to be positive.
   void tell_of_cells()
   {
     const std::size_t lost = m_report.lost_faces.size(), flips = m_report.remaining_flips.size();
-    if(m_options.flip_repair != Flip_repair::NONE)
+    if(has_to_be_positive())
       m_report.status = Outcome::FLIPS_REMAIN;
     const auto names = [](const std::vector<std::size_t>& cells) {
       return std::to_string(cells.size()) + " (the first is cell " + std::to_string(cells.front()) +
