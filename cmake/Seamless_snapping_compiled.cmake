@@ -6,6 +6,7 @@ set(Linear_snapping_parts linear)
 set(Seamless_snapping_parts surfaces volumes)
 set(Isocurves_and_layouts_parts layouts)
 set(Quad_remeshing_parts quads)
+set(Hexahedral_meshing_parts hexahedra)
 set(linear Linear_snapping/internal/linear/Linear_solver
   Linear_snapping/internal/linear/snap_values)
 set(surfaces Seamless_snapping/internal/complex/Free_unknowns
@@ -14,11 +15,13 @@ set(volumes Seamless_snapping/internal/volume/volume_snappers)
 set(layouts Isocurves_and_layouts/internal/layout/make_layout)
 set(quads Quad_remeshing/internal/quantization/quantize_surface
   Quad_remeshing/internal/quad_remesh)
+set(hexahedra Hexahedral_meshing/internal/hexahedra/extract)
 
 if(NOT TARGET Seamless_snapping_compiled)
   set(Seamless_snapping_compiled_SOURCES "")
   set(parts "")
-  foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts Quad_remeshing)
+  foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts Quad_remeshing
+      Hexahedral_meshing)
     if(TARGET Seamless_snapping::${package})
       list(APPEND parts ${${package}_parts})
       set(last_package Seamless_snapping::${package})

@@ -231,7 +231,7 @@ foreach(way IN ITEMS installed subdirectory)
 endforeach()
 
 # A package is configured, with its tests and all, without those above it.
-foreach(without IN ITEMS SEAMLESS_SNAPPING ISOCURVES_AND_LAYOUTS QUAD_REMESHING)
+foreach(without IN ITEMS SEAMLESS_SNAPPING ISOCURVES_AND_LAYOUTS QUAD_REMESHING HEXAHEDRAL_MESHING)
   string(TOLOWER "configured_without_${without}" name)
   add_test(NAME ${name}
     COMMAND "${CMAKE_COMMAND}" -S "${PROJECT_SOURCE_DIR}" -B "${PROJECT_BINARY_DIR}/${name}"

@@ -65,7 +65,8 @@ expect_once("${checkout}/${parameters}"
 file(STRINGS "${PACKAGE_SOURCE_DIR}/doc/biblio.bib" entries REGEX "^@")
 list(GET entries 0 entry)
 expect_once("${bibliography}" "${entry}")
-foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts Quad_remeshing)
+foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts Quad_remeshing
+    Hexahedral_meshing)
   foreach(file IN ITEMS ${package}.txt PackageDescription.txt Doxyfile.in dependencies examples.txt
       fig)
     if(NOT EXISTS "${checkout}/${package}/doc/${package}/${file}")
@@ -82,14 +83,15 @@ into_cgal("${cgal}")
 set(command "${COMPILER}" ${OPTIONS}
   -I "${cgal}/STL_Extension/include" -I "${cgal}/Installation/include")
 set(source "${WORK_DIR}/packages.cpp")
-foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts Quad_remeshing)
+foreach(package IN ITEMS Linear_snapping Seamless_snapping Isocurves_and_layouts Quad_remeshing
+    Hexahedral_meshing)
   set(root "${cgal}/${package}")
   file(GLOB_RECURSE headers RELATIVE "${root}/include" "${root}/include/*.h")
   foreach(header IN LISTS headers)
     file(APPEND "${source}" "#include <${header}>\n")
   endforeach()
   list(APPEND command -I "${root}/include")
-  if(NOT package STREQUAL "Quad_remeshing") # which is compiled below
+  if(NOT package STREQUAL "Hexahedral_meshing") # which is compiled below
     run(${command} -M "${source}")
   endif()
 endforeach()

@@ -1,4 +1,4 @@
-# The rooms of the four packages, and which includes which: read from the #include lines, so that the
+# The rooms of the five packages, and which includes which: read from the #include lines, so that the
 # picture shows the code as it is. Left out are the folders `types`, which all may include.
 #
 #   rooms.py INCLUDE_FOLDER OUT.svg
@@ -17,6 +17,7 @@ PACKAGES = {  # and their colors
     "Seamless_snapping": PALE_GREEN,
     "Isocurves_and_layouts": PALE_ORANGE,
     "Quad_remeshing": "#f3e1ec",
+    "Hexahedral_meshing": "#e4e4e4",
 }
 WIDTH, HEIGHT = 3.35, 1.25
 WORDS = {  # what a room is for
@@ -37,6 +38,7 @@ WORDS = {  # what a room is for
     "cells": "cells of a grid, extracted",
     "quantization": "integers for a coarse complex",
     "remeshing": "smooths and divides quads",
+    "hexahedra": "hexahedra of integer-grid maps",
     "IO": "parses and writes files",
 }
 

@@ -39,9 +39,11 @@ struct Chunk
   std::size_t index, begin, end;
 };
 
-inline std::vector<Chunk> chunks_of(const std::size_t n)
+constexpr std::size_t default_chunk_size = 4096;
+
+inline std::vector<Chunk> chunks_of(const std::size_t n,
+                                    const std::size_t size = default_chunk_size)
 {
-  constexpr std::size_t size = 4096;
   std::vector<Chunk> chunks;
   for(std::size_t begin = 0; begin < n; begin += size)
     chunks.push_back({chunks.size(), begin, (std::min)(n, begin + size)});
@@ -73,9 +75,10 @@ void call_both(const std::function<void()>& f, const std::function<void()>& g)
 
 // What f(chunk) returns for the chunks of 0, ..., n - 1, in their order.
 template <typename Result, typename ConcurrencyTag, typename Function>
-std::vector<Result> results_of_chunks(const std::size_t n, const Function& f)
+std::vector<Result> results_of_chunks(const std::size_t n, const Function& f,
+                                      const std::size_t size = default_chunk_size)
 {
-  const std::vector<Chunk> chunks = chunks_of(n);
+  const std::vector<Chunk> chunks = chunks_of(n, size);
   std::vector<Result> results(chunks.size());
   for_each_chunk<ConcurrencyTag>(chunks,
                                  [&](const Chunk& chunk) { results[chunk.index] = f(chunk); });

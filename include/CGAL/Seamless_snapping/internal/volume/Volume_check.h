@@ -59,6 +59,7 @@ struct Grid_edge
   Flat_volume::Aligned_edge edge; // its direction is known if transitions tell it
   bool is_interior;
   bool is_skew; // transitions turn about an axis that is none of the coordinates'
+  int quarter_turns; // the angle of the cells around it
 };
 
 // Walks around each edge once, or once for each part of the mesh that touches it.
@@ -89,6 +90,9 @@ public:
     return std::move(m_result);
   }
 
+  // Of all edges; an edge counts for each part of the mesh that touches it.
+  std::size_t number_of_edges() const { return m_number_of_edges; }
+
 private:
   static constexpr double pi = 3.14159265358979323846;
 
@@ -103,6 +107,7 @@ private:
   {
     if(is_done(facet, third) != 0)
       return;
+    ++m_number_of_edges;
     double angle = 0;
     bool is_folded = false;
     int g = Group::identity();
@@ -129,17 +134,19 @@ private:
                    : !is_folded && angle > 2 * pi - pi / 4 &&
                        m_is_aligned[std::size_t(facet)] != 0 &&
                        m_is_aligned[std::size_t(ring.facet())] != 0)
-      add(facet, third, is_interior, is_interior ? g : Group::identity());
+      add(facet, third, is_interior, is_interior ? g : Group::identity(),
+          int(std::lround(2 * angle / pi)));
   }
 
-  void add(const Corner_index facet, const Corner_index third, const bool is_interior, const int g)
+  void add(const Corner_index facet, const Corner_index third, const bool is_interior, const int g,
+           const int quarter_turns)
   {
     std::array<Corner_index, 2> ends{{-1, -1}};
     for(const Corner_index corner : corners_of_facet(facet))
       if(corner != third)
         ends[ends[0] < 0 ? 0 : 1] = corner;
     m_result.push_back({{ends[0], ends[1], axis_of(g)}, is_interior,
-                        g != Group::identity() && axis_of(g) == no_axis});
+                        g != Group::identity() && axis_of(g) == no_axis, quarter_turns});
   }
 
   // In a cell, between the facets opposite to two corners.
@@ -166,6 +173,7 @@ private:
   std::vector<char> m_is_aligned;     // per facet, on one of its sides
   std::vector<char> m_is_done;        // per edge of a cell
   std::vector<Grid_edge> m_result;
+  std::size_t m_number_of_edges = 0;
 };
 
 // Calls f(corner, c) for coordinates at which an open or aligned facet or an aligned edge is

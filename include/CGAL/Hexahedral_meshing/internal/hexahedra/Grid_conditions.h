@@ -1,0 +1,295 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Hexahedral_meshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_HEXAHEDRAL_MESHING_INTERNAL_HEXAHEDRA_GRID_CONDITIONS_H
+#define CGAL_HEXAHEDRAL_MESHING_INTERNAL_HEXAHEDRA_GRID_CONDITIONS_H
+
+#include <CGAL/license/Hexahedral_meshing.h>
+
+// What a map has to satisfy so that it describes hexahedra, checked exactly: each refusal names the
+// first place and the remedy.
+
+#include <CGAL/Hexahedral_meshing/internal/packages_below.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hexahedral_meshing {
+namespace internal {
+
+// Checks the conditions, and keeps what they tell of the mesh.
+// \pre the volume holds all cells, and its boundary is aligned
+class Grid_conditions
+{
+  using Group = Cube_rotations;
+
+public:
+  explicit Grid_conditions(Flat_volume& volume)
+    : m_volume(volume)
+  { }
+
+  // In a map of negative cells, the first coordinate is negated: then they are positive.
+  std::optional<Refusal> check()
+  {
+    std::optional<Refusal> refusal = check_size();
+    if(!refusal)
+      refusal = check_orientations();
+    if(!refusal)
+      refusal = check_cuts();
+    if(!refusal)
+      refusal = check_aligned_facets();
+    if(!refusal)
+      refusal = check_aligned_edges();
+    if(!refusal)
+      refusal = check_singular_edges();
+    return refusal;
+  }
+
+  // Per facet: the rotation to its other side, or -1 if both have the same coordinates.
+  std::vector<signed char> take_elements()
+  { return elements_of_facets(m_volume, m_transitions, false, -1); }
+
+  // That of the mesh, as if parts that touch in edges and vertices only were apart.
+  std::ptrdiff_t euler_characteristic()
+  {
+    const std::size_t number_of_cells = m_volume.number_of_cells();
+    const std::size_t number_of_border_facets = std::size_t(
+      std::count(m_volume.opposite.begin(), m_volume.opposite.end(), no_facet));
+    const std::size_t facets = (4 * number_of_cells + number_of_border_facets) / 2;
+    return std::ptrdiff_t(number_of_vertices() + facets) -
+           std::ptrdiff_t(m_number_of_edges + number_of_cells);
+  }
+
+  // The lengths of interior singular edges in the domain, by quarter turns around them.
+  const std::map<int, double>& singular_lengths() const { return m_singular_lengths; }
+
+  // In the domain: of the cells, and of the facets of the boundary. Sums in floating point, with
+  // bounds of their errors.
+  std::pair<double, double> volume() const
+  {
+    double result = 0, bound = 0;
+    for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c) {
+      const Uvw_tetrahedron u = uvw_of_cell(m_volume.coordinates, c);
+      std::array<double, 3> size{};
+      for(std::size_t i = 1; i < 4; ++i)
+        for(std::size_t k = 0; k < 3; ++k)
+          size[k] = (std::max)(size[k], std::abs(u[i][k] - u[0][k]));
+      result += six_times_volume(u) / 6;
+      bound += 1e-15 * size[0] * size[1] * size[2] + 2e-16 * result; // of the product, and the sum
+    }
+    return {result, 2 * bound};
+  }
+
+  double border_area() const
+  {
+    double result = 0;
+    for(std::size_t f = 0; f < m_volume.opposite.size(); ++f)
+      if(m_volume.opposite[f] == no_facet) {
+        const auto c = corners_of_facet(Corner_index(f));
+        const Uvw n = vector_product(vector_to(m_volume.uvw(c[0]), m_volume.uvw(c[1])),
+                                     vector_to(m_volume.uvw(c[0]), m_volume.uvw(c[2])));
+        result += (std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2])) / 2; // two of them are zero
+      }
+    return result;
+  }
+
+private:
+  std::string name_of_cell(const std::size_t c) const
+  { return "cell " + std::to_string(m_volume.cell_names[c]); }
+
+  static std::string among(const std::size_t number, const char* const noun)
+  { return number == 1 ? "" : " (the first of " + counted(number, noun) + ")"; }
+
+  std::optional<Refusal> check_size() const
+  {
+    for(std::size_t i = 0; i < m_volume.coordinates.size(); ++i)
+      for(const double x : m_volume.coordinates[i])
+        if(std::abs(x) > largest_grid_coordinate)
+          return Refusal(Outcome::TOO_LARGE, name_of_cell(i / 4) + " has a coordinate beyond 2^46, "
+                         "where integers and their halves can't be told apart; scale the map down");
+    return std::nullopt;
+  }
+
+  std::optional<Refusal> check_orientations()
+  {
+    if(orientation_of_most_cells(m_volume.coordinates) == CGAL::NEGATIVE)
+      for(Uvw& u : m_volume.coordinates)
+        u[0] = -u[0];
+    std::vector<std::size_t> bad;
+    for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c)
+      if(orientation(uvw_of_cell(m_volume.coordinates, c)) != CGAL::POSITIVE)
+        bad.push_back(c);
+    if(bad.empty())
+      return std::nullopt;
+    return Refusal(Outcome::NOT_POSITIVE, name_of_cell(bad[0]) + among(bad.size(), "such cell") +
+                   " is flipped or degenerate in the domain; snap_volume_to_seamless() with "
+                   "repair_flips(Flip_repair::UNTANGLE) makes cells positive if it can");
+  }
+
+  // Each open facet has one rotation that holds exactly, as its image has an area.
+  std::optional<Refusal> check_cuts()
+  {
+    const std::size_t size = m_volume.open_facets.size();
+    m_transitions.element.assign(size, Group::identity());
+    m_transitions.is_cut.assign(size, 1);
+    std::vector<Corner_index> inexact, off_grid;
+    for(std::size_t i = 0; i < size; ++i) {
+      const Corner_index facet = m_volume.open_facets[i];
+      const Facet_vectors vectors(m_volume.sides(facet));
+      int g = 0;
+      while(g < Group::order && !vectors.match(g))
+        ++g;
+      if(g == Group::order) {
+        inexact.push_back(facet);
+        continue;
+      }
+      m_transitions.element[i] = g;
+      if(translation_distance(m_volume, facet, g, m_volume.coordinates) != 0)
+        off_grid.push_back(facet);
+    }
+    if(!inexact.empty())
+      return Refusal(Outcome::NOT_SEAMLESS, "the two sides of " +
+                     m_volume.name_of_facet(inexact[0]) + among(inexact.size(), "such facet") +
+                     " differ by no rotation of the cube, exactly; snap_volume_to_seamless() makes "
+                     "the map exactly seamless");
+    if(!off_grid.empty())
+      return not_integer("the translation across " + m_volume.name_of_facet(off_grid[0]) +
+                         among(off_grid.size(), "such facet") + " is no integer");
+    return std::nullopt;
+  }
+
+  static Refusal not_integer(const std::string& what)
+  {
+    return {Outcome::NOT_INTEGER,
+            what + "; snap_volume_to_seamless() with integer_grid(true) makes an integer-grid map"};
+  }
+
+  static bool is_integer(const double x) { return x == std::round(x); }
+
+  std::optional<Refusal> check_aligned_facets() const
+  {
+    std::vector<Corner_index> askew, off_grid;
+    for(const Corner_index facet : m_volume.aligned_facets) {
+      const auto c = corners_of_facet(facet);
+      std::size_t k = 0;
+      while(k < 3 && !(m_volume.uvw(c[0])[k] == m_volume.uvw(c[1])[k] &&
+                       m_volume.uvw(c[0])[k] == m_volume.uvw(c[2])[k]))
+        ++k;
+      if(k == 3)
+        askew.push_back(facet);
+      else if(!is_integer(m_volume.uvw(c[0])[k]))
+        off_grid.push_back(facet);
+    }
+    const auto name = [&](const std::vector<Corner_index>& facets) {
+      const bool is_border = m_volume.opposite[std::size_t(facets[0])] == no_facet;
+      return (is_border ? "the boundary " : "the feature ") + m_volume.name_of_facet(facets[0]) +
+             among(facets.size(), "such facet");
+    };
+    if(!askew.empty())
+      return Refusal(Outcome::NOT_ALIGNED, name(askew) + " lies in no plane of a constant "
+                     "coordinate, exactly; snap_volume_to_seamless() aligns it");
+    if(!off_grid.empty())
+      return not_integer(name(off_grid) + " lies between the planes of the grid");
+    return std::nullopt;
+  }
+
+  // The coordinate that changes along an edge, if the others are the same; else -1.
+  int axis_of_edge(const Flat_volume::Aligned_edge& edge) const
+  {
+    const Uvw d = vector_to(m_volume.uvw(edge.a), m_volume.uvw(edge.b));
+    for(std::size_t k = 0; k < 3; ++k)
+      if(d[(k + 1) % 3] == 0 && d[(k + 2) % 3] == 0)
+        return int(k);
+    return -1;
+  }
+
+  bool is_on_grid_line(const Flat_volume::Aligned_edge& edge, const int axis) const
+  {
+    const Uvw& u = m_volume.uvw(edge.a);
+    return is_integer(u[std::size_t(axis + 1) % 3]) && is_integer(u[std::size_t(axis + 2) % 3]);
+  }
+
+  std::optional<Refusal> check_aligned_edges() const
+  {
+    for(const Flat_volume::Aligned_edge& edge : m_volume.aligned_edges)
+      if(const int axis = axis_of_edge(edge); axis < 0)
+        return Refusal(Outcome::NOT_ALIGNED, "along the feature " + m_volume.name_of_edge(edge) +
+                       ", more than one coordinate changes; snap_volume_to_seamless() aligns it");
+      else if(!is_on_grid_line(edge, axis))
+        return not_integer("the feature " + m_volume.name_of_edge(edge) +
+                           " lies between the lines of the grid");
+    return std::nullopt;
+  }
+
+  std::optional<Refusal> check_singular_edges()
+  {
+    Grid_edge_finder finder(m_volume, m_transitions);
+    const std::vector<Grid_edge> edges = finder.find();
+    m_number_of_edges = finder.number_of_edges();
+    for(const Grid_edge& grid_edge : edges) {
+      const Flat_volume::Aligned_edge& edge = grid_edge.edge;
+      const int axis = axis_of_edge(edge);
+      if(grid_edge.is_skew || axis < 0 || (edge.direction >= 0 && axis != edge.direction) ||
+         !is_on_grid_line(edge, axis))
+        return not_integer("the singular " + m_volume.name_of_edge(edge) + " (of " +
+                           counted(edges.size(), "singular edge") + ") is on no line of the grid");
+      if(grid_edge.is_interior)
+        m_singular_lengths[grid_edge.quarter_turns] += std::abs(
+          m_volume.uvw(edge.b)[std::size_t(axis)] - m_volume.uvw(edge.a)[std::size_t(axis)]);
+    }
+    return std::nullopt;
+  }
+
+  // Classes of corners whose cells share facets at them.
+  std::size_t number_of_vertices() const
+  {
+    std::vector<std::int32_t> parent(m_volume.vertices.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](std::int32_t i) {
+      for(; parent[std::size_t(i)] != i; i = parent[std::size_t(i)])
+        parent[std::size_t(i)] = parent[std::size_t(parent[std::size_t(i)])];
+      return i;
+    };
+    std::size_t result = parent.size();
+    for(std::size_t f = 0; f < m_volume.opposite.size(); ++f)
+      if(m_volume.opposite[f] > Corner_index(f))
+        for(const Corner_index corner : corners_of_facet(Corner_index(f))) {
+          const std::int32_t a = root(corner), b = root(m_volume.across(Corner_index(f), corner));
+          result -= std::size_t(a != b);
+          parent[std::size_t((std::max)(a, b))] = (std::min)(a, b);
+        }
+    return result;
+  }
+
+  Flat_volume& m_volume;
+  Volume_transitions m_transitions; // of the open facets, all of which are cuts
+  std::size_t m_number_of_edges = 0;
+  std::map<int, double> m_singular_lengths;
+};
+
+} // namespace internal
+} // namespace Hexahedral_meshing
+} // namespace CGAL
+
+#endif // CGAL_HEXAHEDRAL_MESHING_INTERNAL_HEXAHEDRA_GRID_CONDITIONS_H

@@ -1,0 +1,172 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Hexahedral_meshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_HEXAHEDRAL_MESHING_INTERNAL_HEXAHEDRA_GRID_MAP_H
+#define CGAL_HEXAHEDRAL_MESHING_INTERNAL_HEXAHEDRA_GRID_MAP_H
+
+#include <CGAL/license/Hexahedral_meshing.h>
+
+// The cells of an integer-grid map, ready to be walked through: from chart to chart across facets,
+// and to the place of a point.
+
+#include <CGAL/Hexahedral_meshing/internal/hexahedra/Cell_sides.h>
+#include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Hexahedral_meshing {
+namespace internal {
+
+// A point of the mesh, as a cell sees it. Its place is the least cell that contains it.
+struct Cell_point
+{
+  std::int32_t cell;
+  Uvw p;
+  int facets; // a bit for each facet of the cell that it lies on
+
+  friend bool operator==(const Cell_point& a, const Cell_point& b)
+  { return a.cell == b.cell && a.p == b.p; }
+};
+
+// Invariants: all cells are positive, all transitions hold exactly and have integer translations.
+class Grid_map
+{
+  using Group = Cube_rotations;
+
+public:
+  static constexpr signed char no_cut = -1;
+
+  // \param elements per facet: the rotation to its other side, or `no_cut`
+  Grid_map(const Flat_volume& volume, std::vector<signed char> elements)
+    : m_volume(volume), m_elements(std::move(elements))
+  { }
+
+  const Flat_volume& volume() const { return m_volume; }
+  std::size_t number_of_cells() const { return m_volume.number_of_cells(); }
+
+  Cell_sides sides(const std::int32_t cell) const
+  { return Cell_sides(uvw_of_cell(m_volume.coordinates, std::size_t(cell))); }
+
+  Corner_index opposite(const Corner_index facet) const
+  { return m_volume.opposite[std::size_t(facet)]; }
+
+  // The motion from the chart of a facet's cell to that on the other side.
+  class Transition
+  {
+  public:
+    Transition(const Flat_volume& volume, const Corner_index facet, const signed char element)
+      : m_element(element)
+    {
+      if(element == no_cut)
+        return;
+      const Corner_index corner = corners_of_facet(facet)[0];
+      const Uvw& there = volume.uvw(volume.across(facet, corner));
+      const Uvw here = Group::apply(element, volume.uvw(corner));
+      for(std::size_t c = 0; c < 3; ++c)
+        m_shift[c] = there[c] - here[c]; // an integer, and hence without an error
+    }
+
+    Uvw operator()(const Uvw& p) const
+    {
+      if(m_element == no_cut)
+        return p;
+      Uvw result = Group::apply(m_element, p);
+      for(std::size_t c = 0; c < 3; ++c)
+        result[c] += m_shift[c];
+      return result;
+    }
+
+  private:
+    signed char m_element;
+    Uvw m_shift{};
+  };
+
+  Transition transition(const Corner_index facet) const
+  { return Transition(m_volume, facet, m_elements[std::size_t(facet)]); }
+
+  // Calls f(cell point) for all cells that contain a point, over the facets on which it lies, the
+  // cell that is given first; until f returns false.
+  template <typename F>
+  void for_each_cell_at(const Cell_point& start, const F& f) const
+  {
+    if(!f(start) || start.facets == 0)
+      return;
+    std::vector<Cell_point> found{start};
+    for(std::size_t k = 0; k < found.size(); ++k)
+      for(int i = 0; i < 4; ++i) {
+        const Corner_index facet = 4 * found[k].cell + i;
+        if((found[k].facets >> i & 1) == 0 || opposite(facet) < 0)
+          continue;
+        const std::int32_t cell = opposite(facet) / 4;
+        bool is_new = true;
+        for(const Cell_point& other : found)
+          is_new = is_new && other.cell != cell;
+        if(!is_new)
+          continue;
+        found.push_back({cell, transition(facet)(found[k].p), facets_across(found[k], i)});
+        if(!f(found.back()))
+          return;
+      }
+  }
+
+  Cell_point place(const Cell_point& point) const
+  {
+    Cell_point result = point;
+    for_each_cell_at(point, [&](const Cell_point& other) {
+      if(other.cell < result.cell)
+        result = other;
+      return true;
+    });
+    return result;
+  }
+
+  bool is_in_place(const Cell_point& point) const
+  {
+    bool result = true;
+    for_each_cell_at(point, [&](const Cell_point& other) {
+      result = other.cell >= point.cell;
+      return result;
+    });
+    return result;
+  }
+
+private:
+  // The point lies inside of the simplex of the corners that are opposite to none of its facets:
+  // the cell on the other side of facet i has these corners, too.
+  int facets_across(const Cell_point& point, const int i) const
+  {
+    const Corner_index first = opposite(4 * point.cell + i) / 4 * 4;
+    int result = 0;
+    for(int k = 0; k < 4; ++k) {
+      bool is_in_simplex = false;
+      for(int j = 0; j < 4; ++j)
+        is_in_simplex = is_in_simplex || ((point.facets >> j & 1) == 0 &&
+                                          m_volume.vertex(4 * point.cell + j) ==
+                                            m_volume.vertex(first + k));
+      result |= int(!is_in_simplex) << k;
+    }
+    return result;
+  }
+
+  const Flat_volume& m_volume;
+  std::vector<signed char> m_elements;
+};
+
+} // namespace internal
+} // namespace Hexahedral_meshing
+} // namespace CGAL
+
+#endif // CGAL_HEXAHEDRAL_MESHING_INTERNAL_HEXAHEDRA_GRID_MAP_H
