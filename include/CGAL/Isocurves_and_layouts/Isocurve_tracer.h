@@ -62,7 +62,7 @@ struct Isocurve_start
   /// a halfedge of the mesh
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
-  Isocurve_place place = Isocurve_place::VERTEX; ///< what the point lies on
+  Isocurve_place place = Isocurve_place::VERTEX; ///< the element on which the point lies
   halfedge_descriptor halfedge{};   ///< of the face whose chart is meant
   Exact_rational parameter{0};      ///< on an edge: 0 at its source, 1 at its target
   std::array<double, 2> uv{{0, 0}}; ///< in a face: the coordinates of the point
@@ -95,7 +95,7 @@ struct Isocurve_start
 \ingroup PkgIsocurvesAndLayoutsTracing
 
 A point of a traced isocurve: an edge that is crossed, a vertex that is met, or the point of a face
-at which the curve starts. Where two consecutive points are vertices, the curve runs along the edge
+at which the curve starts. If two consecutive points are vertices, the curve runs along the edge
 between them.
 
 \tparam TriangleMesh a model of `FaceGraph`
@@ -119,18 +119,18 @@ public:
   double running_coordinate() const { return m_running; }
   /// \endcond
 
-  /// returns what the point lies on.
+  /// returns the element on which the point lies.
   Isocurve_place place() const { return m_place; }
 
   /// returns for an edge the halfedge of the face that the curve leaves; for a vertex a halfedge
-  /// that points to it, of a face that the curve has come through or along or, where it starts,
-  /// that it goes through or along; for a face one of its halfedges.
+  /// that points to it, of a face that the curve has come through or along or, at its start, that
+  /// it goes through or along; for a face one of its halfedges.
   halfedge_descriptor halfedge() const { return m_halfedge; }
 
   /// returns the direction of the curve in the chart of `face(halfedge())`.
   Isocurve_direction direction() const { return Isocurve_direction(m_direction); }
 
-  /// returns what is constant along the curve, in this chart, exactly: \f$ u \f$, \f$ v \f$, or
+  /// returns the constant coordinate of the curve in this chart, exactly: \f$ u \f$, \f$ v \f$, or
   /// in lattice coordinates \f$ u + v \f$.
   Exact_rational constant_coordinate() const { return m_level.exact(); }
 
@@ -156,7 +156,7 @@ template <typename TriangleMesh>
 struct Isocurve
 {
   Isocurve_status status = Isocurve_status::MAXIMUM_NUMBER; ///< how it ends
-  Isocurve_start<TriangleMesh> start;                      ///< where it starts
+  Isocurve_start<TriangleMesh> start;                      ///< its start
   Isocurve_direction direction = Isocurve_direction::PLUS_U; ///< in which direction
   std::size_t number_of_crossings = 0; ///< edges crossed and vertices passed
   double length = 0;                   ///< from the start to the end; 0 unless it was bounded
@@ -190,7 +190,7 @@ wrong then, and nothing is recovered from.
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
 \tparam D the number of directions: 4 for parametrizations of rotational symmetry 1, 2, or 4, and 6
-        for those of 3 or 6. The compiler finds it if the class is named without arguments:
+        for symmetry 3 or 6. The compiler finds it if the class is named without arguments:
         `Isocurve_tracer tracer(tmesh, uv_map,
         parameters::rotational_symmetry(Rotational_symmetry<6>()))`.
 */
@@ -205,13 +205,13 @@ public:
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   /// a vertex of the mesh
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using Start = Isocurve_start<TriangleMesh>; ///< where a curve starts
+  using Start = Isocurve_start<TriangleMesh>; ///< the start of a curve
   using Curve = Isocurve<TriangleMesh>;       ///< a traced curve
 
   /*!
   reads a mesh and its parametrization, whose corners are as for `trace_isocurve()`. The named
-  parameters are those of `seam_transitions()`, with `rotational_symmetry` among them as `D` needs
-  it. Check `operator bool()` if the parametrization may not be seamless at all.
+  parameters are the parameters of `seam_transitions()`, with a `rotational_symmetry` that fits `D`.
+  Check `operator bool()` if the parametrization may not be seamless at all.
 
   \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
@@ -246,9 +246,9 @@ public:
 
   /*!
   returns `true` if `v` is an interior vertex whose angle in the domain is not 360 degrees. Among
-  faces that are positive, these are `Seam_transitions::singular_vertices()`. Where an edge at `v`
-  has no length in the domain, the angle is not known, and `v` is taken for singular if the
-  rotations of the transitions around it don't add up to the identity. Takes constant time.
+  faces that are positive, these are `Seam_transitions::singular_vertices()`. If an edge at `v` has
+  no length in the domain, the angle is not known, and `v` counts as singular if the product of the
+  rotations around it is not the identity. Takes constant time.
   \pre `operator bool()`
   */
   bool is_singular(const vertex_descriptor v) const
@@ -261,7 +261,7 @@ public:
   /*!
   returns the starts and directions of all isocurves that leave a vertex, in counterclockwise order:
   `D` at a regular vertex, \f$ D - i \f$ at a singular vertex of index \f$ i \f$ (in turns by
-  \f$ 360 / D \f$ degrees), more where faces around the vertex are flipped, and at the border those
+  \f$ 360 / D \f$ degrees), more if faces around the vertex are flipped, and at the border all
   that lead into the surface or along the border. Takes time linear in the degree of the vertex.
   \pre `operator bool()`
   */
@@ -280,7 +280,7 @@ public:
   }
 
   /*!
-  returns where the curve that leads back along `arrival` comes in `outgoing(v)`, the curves around
+  returns the index of the curve that leads back along `arrival` in `outgoing(v)`, the curves around
   the vertex `v` at which `arrival` ends: which of the slots in counterclockwise order it takes. In
   a star with degenerate faces there may be no such curve; then the size of `outgoing(v)` is
   returned. Takes time linear in the degree of the vertex.
@@ -295,10 +295,10 @@ public:
   }
 
   /*!
-  traces one isocurve. The named parameters are those of `trace_isocurve()`. The status of the curve
-  is `Isocurve_status::NOT_EXACT`, and it has no points, if `is_exact()` is `false` and it is not to
-  be traced in floating point, and also if `operator bool()` returns `false`.
-  \param start where the curve starts
+  traces one isocurve. The named parameters are the same as for `trace_isocurve()`. The status of
+  the curve is `Isocurve_status::NOT_EXACT`, and it has no points, if `is_exact()` is `false` and it
+  is not to be traced in floating point, and also if `operator bool()` returns `false`.
+  \param start the start of the curve
   \param direction the direction in which it starts, in the chart of `face(start.halfedge)`
   \param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
   \pre `start` is as `Isocurve_start` asks for
@@ -316,10 +316,10 @@ public:
   /*!
   traces all isocurves that leave singular vertices, in the order of `vertices(tmesh)` and
   counterclockwise around each; the order does not depend on the number of threads. The named
-  parameters are those of `trace_isocurve()`. With several threads, all of them read the property
-  map `vertex_is_constrained_map`. Where `trace()` would return `Isocurve_status::NOT_EXACT`, a
-  single curve with this status is returned. It takes the time of tracing each, divided by the
-  number of threads where these are idle.
+  parameters are the same as for `trace_isocurve()`. With several threads, all of them read the
+  property map `vertex_is_constrained_map`. If `trace()` would return `Isocurve_status::NOT_EXACT`,
+  a single curve with this status is returned. The time is the sum for all curves, divided by the
+  number of idle threads.
 
   \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
          `CGAL::Parallel_tag`, which does not compile unless TBB is linked

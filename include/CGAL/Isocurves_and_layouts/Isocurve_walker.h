@@ -50,9 +50,9 @@ auto face_of_halfedge(const Halfedge h, const TriangleMesh& tmesh)
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
 
-The part of an isocurve in one face, or along one edge, with exact coordinates. All of them are
-those of the chart of `face()`. Segments are made by `Isocurve_walker` and `isocurve_segments()`,
-and are valid as long as the tracer is.
+The part of an isocurve in one face, or along one edge, with exact coordinates in the chart of
+`face()`. `Isocurve_walker` and `isocurve_segments()` make segments, which are valid as long as the
+tracer is.
 
 \tparam TriangleMesh a model of `FaceGraph`
 \tparam D the number of directions, as for `Isocurve_tracer`
@@ -79,20 +79,21 @@ public:
   const internal::Chart_segment& chart_segment() const { return m_segment; }
   /// \endcond
 
-  /// returns the face that the segment lies in. Where it lies along an edge, this is one of the two
+  /// returns the face that the segment lies in. If it lies along an edge, this is one of the two
   /// faces of the edge.
   face_descriptor face() const
   { return internal::face_of_halfedge(entry(), *m_tmesh); }
 
-  /// returns what the segment begins on: `Isocurve_place::FACE` only at the start of a curve.
+  /// returns the element at which the segment begins: `Isocurve_place::FACE` only at the start of a
+  /// curve.
   Isocurve_place entry_place() const { return m_segment.entry.place; }
 
   /// returns a halfedge of `face()`: that which points to the vertex, or which lies on the edge, at
   /// which the segment begins.
   halfedge_descriptor entry() const { return halfedge(m_segment.entry.halfedge); }
 
-  /// returns what the segment ends on: `Isocurve_place::FACE` only where a curve closes that has
-  /// started there.
+  /// returns the element at which the segment ends: `Isocurve_place::FACE` only if a curve closes
+  /// that has started in the face.
   Isocurve_place exit_place() const { return m_segment.exit.place; }
 
   /// returns a halfedge of `face()`: that which points to the vertex, or which lies on the edge, at
@@ -110,26 +111,26 @@ public:
   Isocurve_direction direction() const
   { return internal::isocurve_direction<Group>(m_segment.direction); }
 
-  /// returns what is constant along the curve: \f$ u \f$, \f$ v \f$, or in lattice coordinates
+  /// returns the constant coordinate of the curve: \f$ u \f$, \f$ v \f$, or in lattice coordinates
   /// \f$ u + v \f$.
   Exact_rational constant_coordinate() const { return m_segment.level.exact(); }
 
-  /// returns the other coordinate where the segment begins; \f$ v \f$ where \f$ u + v \f$ is
+  /// returns the other coordinate at the beginning of the segment; \f$ v \f$ if \f$ u + v \f$ is
   /// constant.
   Exact_rational from() const
   { return internal::other_coordinate<Group>(m_segment, running_from(*m_mesh, m_segment)); }
 
-  /// returns the same where the segment ends.
+  /// returns the other coordinate at the end of the segment.
   Exact_rational to() const
   { return internal::other_coordinate<Group>(m_segment, running_to(*m_mesh, m_segment)); }
 
-  /// returns the length of the curve in the domain, from its start to where the segment begins.
-  /// What it goes back in flipped faces is subtracted. In lattice coordinates, the unit is the same
-  /// in all directions: the side of the triangles of the lattice.
+  /// returns the length of the curve in the domain, from its start to the beginning of the segment.
+  /// The way back in flipped faces is subtracted. In lattice coordinates, the unit is the same in
+  /// all directions: the side of the triangles of the lattice.
   Exact_rational length_before() const
   { return internal::length_up_to<Group>(m_segment, running_from(*m_mesh, m_segment)); }
 
-  /// returns the same from its start to where the segment ends.
+  /// returns the length of the curve in the domain, from its start to the end of the segment.
   Exact_rational length_after() const
   { return internal::length_up_to<Group>(m_segment, running_to(*m_mesh, m_segment)); }
 
@@ -146,9 +147,9 @@ private:
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
 
-walks along an isocurve of an exactly seamless parametrization, one segment at a time. It is what
-algorithms are built on that trace many curves at once, or decide themselves where a curve ends. A
-copy goes on by itself from where it was made.
+walks along an isocurve of an exactly seamless parametrization, one segment at a time. This is for
+algorithms that trace many curves at once, or decide themselves when a curve ends. A copy goes on
+independently.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -164,13 +165,13 @@ class Isocurve_walker
 
 public:
   using Tracer = Isocurve_tracer<TriangleMesh, D>;   ///< the tracer
-  using Start = Isocurve_start<TriangleMesh>;        ///< where a curve starts
+  using Start = Isocurve_start<TriangleMesh>;        ///< the start of a curve
   using Segment = Isocurve_segment<TriangleMesh, D>; ///< a part of it
 
   /*!
   begins at a point, as `Isocurve_tracer::trace()` does.
   \param tracer has to outlive the walker
-  \param start where the curve starts
+  \param start the start of the curve
   \param direction its direction in the chart of `face(start.halfedge)`
   \pre `start` is as `Isocurve_start` asks for
   */
@@ -185,8 +186,8 @@ public:
 
   /*!
   goes on to the next segment, which the first call finds at the start, and returns
-  `Isocurve_status::CONTINUES`. Where the curve has ended, returns how it ends; then there is no
-  further segment. That is `TARGET`, `MAXIMUM_NUMBER`, or `MAXIMUM_LENGTH` never, and `NOT_EXACT` if
+  `Isocurve_status::CONTINUES`. If the curve has ended, it returns the end, and there is no further
+  segment. The end is never `TARGET`, `MAXIMUM_NUMBER`, or `MAXIMUM_LENGTH`. It is `NOT_EXACT` if
   the parametrization is not exactly seamless.
   */
   Isocurve_status advance()
@@ -195,7 +196,7 @@ public:
     return m_walker ? m_walker->advance() : Isocurve_status::NOT_EXACT;
   }
 
-  /// returns what the last call of `advance()` returned.
+  /// returns the result of the last call of `advance()`.
   Isocurve_status status() const
   { return m_walker ? m_walker->status() : Isocurve_status::NOT_EXACT; }
 
@@ -267,11 +268,11 @@ private:
 \ingroup PkgIsocurvesAndLayoutsTracing
 
 returns the segments of an isocurve as a range of `Isocurve_segment`, which walks along the curve
-while it is iterated over. It ends where `trace_isocurve()` without bounds ends. On a map that is
+during the iteration. It ends like `trace_isocurve()` without bounds. On a map that is
 not exactly seamless, it is empty.
 
 \param tracer has to outlive the range
-\param start where the curve starts
+\param start the start of the curve
 \param direction its direction in the chart of `face(start.halfedge)`
 \pre `start` is as `Isocurve_start` asks for
 

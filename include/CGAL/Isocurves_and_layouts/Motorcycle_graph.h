@@ -54,7 +54,7 @@ namespace Isocurves_and_layouts {
 /*!
 \ingroup PkgIsocurvesAndLayoutsLayouts
 
-What a node of a motorcycle graph is.
+The kind of a node of a motorcycle graph.
 */
 enum class Layout_node
 {
@@ -63,8 +63,8 @@ enum class Layout_node
   GIVEN,   ///< a vertex that the caller has given
   SEED,    ///< a vertex chosen in a part of the surface without any other node, or on a closed
            ///< border or feature without any
-  JUNCTION ///< where a curve ends at another one, or, if these run on, crosses it; or where it
-           ///< ends at a border that does not lie on isocurves
+  JUNCTION ///< the end of a curve at another one, or the crossing of two curves; or its end at a
+           ///< border that does not lie on isocurves
 };
 
 /*!
@@ -79,12 +79,12 @@ a patch at its left, unless it runs along the border with the surface at its rig
 disc with four sides, each of one or more arcs, and opposite sides are of the same length. A node at
 which another curve ends may thus lie inside of a side.
 
-Where a border of the surface does not lie on isocurves, its pieces between nodes are arcs, too.
+If a border of the surface does not lie on isocurves, its pieces between nodes are arcs, too.
 The patches there are cut: they have no sides, and can have any number of cycles of half-arcs around
 them. Corners of such a border are no nodes.
 
 The graph refers to the mesh, and stays valid as long as that is neither modified nor destroyed.
-Copies share what they hold.
+Copies share their data.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -131,8 +131,8 @@ public:
   /// returns the outcome.
   Outcome status() const { return m_data->status; }
 
-  /// returns the place, the reason, and the remedy, unless the surface is divided; then, what there
-  /// is to say of a border that does not lie on isocurves.
+  /// returns the reason, the place, and the remedy if there is no layout. Otherwise, returns a note
+  /// on a border that does not lie on isocurves, if there is one.
   const std::string& message() const { return m_data->message; }
 
   /// returns the faces that are flipped or degenerate in the domain, in the order of iteration over
@@ -150,7 +150,7 @@ public:
   /// returns the number of nodes.
   std::size_t number_of_nodes() const { return layout().points.size(); }
 
-  /// returns what a node is.
+  /// returns the kind of a node.
   Layout_node node_kind(const std::size_t n) const
   {
     switch(point(n).start) {
@@ -163,7 +163,8 @@ public:
     return Layout_node::JUNCTION;
   }
 
-  /// returns what a node lies on; for all nodes that are no junctions, `Isocurve_place::VERTEX`.
+  /// returns the element on which a node lies; for all nodes that are no junctions,
+  /// `Isocurve_place::VERTEX`.
   Isocurve_place node_place(const std::size_t n) const { return point(n).place.place; }
 
   /// returns a halfedge: one that points to the vertex that the node is, or lies on the edge inside
@@ -178,7 +179,7 @@ public:
     return {uv[0].exact(), uv[1].exact()};
   }
 
-  /// returns where a node lies on the mesh; rounded.
+  /// returns the place of a node on the mesh; rounded.
   Location node_location(const std::size_t n) const
   {
     const internal::Protect_exact_arithmetic protect;
@@ -214,11 +215,12 @@ public:
   /// returns whether an arc runs along the border or along features.
   bool arc_is_constrained(const std::size_t a) const { return layout().arcs[a].is_wall; }
 
-  /// returns whether an arc lies on an isocurve: all do, but for those on borders that don't.
+  /// returns whether an arc lies on an isocurve: all arcs do, except for arcs on borders that
+  /// don't.
   bool arc_is_isocurve(const std::size_t a) const { return !layout().arcs[a].is_oblique; }
 
   /// returns the course of an arc, from its source to its target: both nodes, and between them the
-  /// points where it crosses edges or meets vertices; rounded.
+  /// points at which it crosses edges or meets vertices; rounded.
   std::vector<Location> arc_path(const std::size_t a) const
   {
     const internal::Protect_exact_arithmetic protect;
@@ -330,9 +332,9 @@ private:
 /*!
 \ingroup PkgIsocurvesAndLayoutsLayouts
 
-Where two curves of a layout meet: what a stop policy decides by. The first curve comes to a point
-at which the second one has been before, or has the right of way if both come at the same time: that
-is the curve which sees the other one come from its left.
+The meeting of two curves of a layout, for a stop policy. The first curve comes to a point at which
+the second one has been before. If both come at the same time, the second one is the curve that sees
+the other one come from its left.
 
 \tparam TriangleMesh the type of the mesh
 */
@@ -342,10 +344,10 @@ struct Curve_meeting
   /// a vertex of the mesh
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
-  vertex_descriptor start;        ///< where the first curve has started
-  vertex_descriptor other_start;  ///< where the second curve has started
-  Exact_rational length;          ///< of the first curve up to the point
-  Exact_rational other_length;    ///< of the second curve up to the point
+  vertex_descriptor start;        ///< the start of the first curve
+  vertex_descriptor other_start;  ///< the start of the second curve
+  Exact_rational length;          ///< the length of the first curve up to the point
+  Exact_rational other_length;    ///< the length of the second curve up to the point
 };
 
 namespace internal {
@@ -427,30 +429,27 @@ void read_and_make_layout(const TriangleMesh& tmesh, const Flat_numbering<Triang
 divides a surface into rectangles along isocurves of an exactly seamless parametrization.
 
 Curves start at the <em>nodes</em> in all directions along which a coordinate is constant, at the
-same time and with the same speed. Nodes are the cones, that is the interior vertices whose angle in
-the domain is not 360 degrees; the vertices at which borders and features end, meet, or turn; given
-vertices; and one vertex in each part of the surface that has no other node. A curve ends at borders
-and features, at nodes, and where it meets a curve that has been there before; at the same time, the
-curve that sees the other one come from its right ends. Two curves that meet head on become one arc.
-Another `curve_stop_policy` makes curves run on where they meet.
+same time and with the same speed. Nodes are the cones, the vertices at which borders and features
+end, meet, or turn, given vertices, and one vertex in each part of the surface that has no other
+node. A curve ends at nodes, borders, features, and curves that were there first. If two curves come
+to a point at the same time, the curve that sees the other one come from its right ends. Two curves
+that meet head-on become one arc. With another `curve_stop_policy`, curves run on across each other.
 
-If the parametrization is exactly seamless, all faces are positive in the domain, and borders and
-features lie on isocurves, then all of this ends, and what comes out divides the surface into
-rectangles: discs with four corners whose opposite sides are of exactly the same length. The areas
-of all rectangles make up that of the domain. At a cone of index \f$ i \f$ there are
-\f$ 4 - i \f$ arcs. All conditions are checked before; that all patches are discs with four corners
-and equal sides is checked afterwards, exactly. All decisions in between are exact; there are no
-tolerances.
+\par Guarantee
+Let the parametrization be exactly seamless, let all faces be positive in the domain, and let
+borders and features lie on isocurves. Then all curves end, and they divide the surface into
+rectangles: disks with four corners whose opposite sides have exactly the same length. The areas of
+the rectangles add up to the area of the domain. A cone of index \f$ i \f$ has \f$ 4 - i \f$ arcs.
+The function checks all conditions before, and the rectangles afterwards, exactly.
 
-Where a border does not lie on isocurves, curves end at it as well, but none start there, unless at
-given vertices, and where it meets borders and features that do. The patches that it is part of
-are <em>cut</em>: they can have any shape, and need not be discs. All others are rectangles as
-before, and the areas of all patches make up that of the domain. With `align_border(true)` such a
-border is refused, as are features that do not lie on isocurves.
+\par Borders off isocurves
+If a border does not lie on isocurves, curves end at it. Only given vertices, and vertices at which
+it meets aligned borders and features, start curves. The patches at such a border are <em>cut</em>:
+they can have any shape, and need not be disks. With `align_border(true)`, such a border is refused.
 
-The graph depends on the mesh and its parametrization only, not on the order of faces and vertices,
-which only decides how nodes, arcs, and patches are numbered; and where two vertices of a part
-without nodes have the same coordinates in all charts, which of them is chosen.
+\par Order
+The graph does not depend on the order of faces and vertices, except for the numbering, and for the
+choice among several vertices with the same coordinates in a part without nodes.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -461,7 +460,8 @@ without nodes have the same coordinates in all charts, which of them is chosen.
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below, and those of `seam_transitions()`; `rotational_symmetry` must be of order 4, 2, or 1
+       below, and the parameters of `seam_transitions()`; `rotational_symmetry` must be of order 4,
+       2, or 1
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
@@ -486,7 +486,7 @@ without nodes have the same coordinates in all charts, which of them is chosen.
     \cgalParamDefault{no vertex is}
   \cgalParamNEnd
   \cgalParamNBegin{curve_stop_policy}
-    \cgalParamDescription{whether a curve ends where it meets another one, or itself. For the same
+    \cgalParamDescription{whether a curve ends at a curve that it meets, be it itself. For the same
                           meeting, the answer must always be the same. At nodes, borders, and
                           features, curves always end.}
     \cgalParamType{a function object that returns `bool` for a `Curve_meeting<TriangleMesh>`, such
@@ -494,17 +494,17 @@ without nodes have the same coordinates in all charts, which of them is chosen.
     \cgalParamDefault{`Stop_at_curves()`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number}
-    \cgalParamDescription{the number of segments of all curves, which is that of crossings of edges
-                          and vertices, above which the computation is given up; and that of points
-                          at which two curves meet, or would if they ran on. It takes some 200
-                          bytes for each of the former, and some 400 for each of the latter.}
+    \cgalParamDescription{a bound for the number of segments of all curves, and for the number of
+                          points at which two curves meet, or would meet if they ran on. Above it,
+                          the function gives up. It bounds the memory: some hundred bytes for each
+                          segment and point.}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{30 times the number of faces, but at least a million}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the graph; converts to `true` if and only if the surface is divided. Otherwise
-        `Motorcycle_graph::status()` is what `Seam_transitions::failure()` can be, or
+        `Motorcycle_graph::status()` is a status of `Seam_transitions::failure()`, or
         - `INVALID_ARGUMENT`: the mesh has no face;
         - `NOT_SEAMLESS`: the parametrization is not exactly seamless;
         - `NOT_POSITIVE`: faces are flipped or degenerate in the domain;
@@ -565,10 +565,9 @@ struct Integer_arc_lengths
 \ingroup PkgIsocurvesAndLayoutsLayouts
 
 returns the lengths of all arcs that bound rectangles, in multiples of a unit: the largest power of
-two of which all of them are integer multiples. There always is one, since the coordinates of their
-ends are dyadic numbers. (Arcs between patches that are cut can have any length.) These lengths
-solve what a quantization of the layout has to solve, at a scale that is far too fine; see
-`are_lengths_consistent()`.
+two of which all of them are integer multiples. Such a unit always exists, because the coordinates
+of the ends of arcs are dyadic numbers. These lengths are a quantization of the layout at a scale
+that is far too fine; see `are_lengths_consistent()`.
 
 \tparam TriangleMesh the type of the mesh
 \param graph the layout
@@ -611,10 +610,9 @@ Integer_arc_lengths integer_arc_lengths(const Motorcycle_graph<TriangleMesh>& gr
 /*!
 \ingroup PkgIsocurvesAndLayoutsLayouts
 
-returns whether other lengths of the arcs also make rectangles of all patches that are rectangles:
-whether opposite sides have the same length. With positive integers, each of these can then be
-filled by a grid of quads that fits those of its neighbors. The number of all quads is the sum of
-the products of width and height.
+returns whether given lengths of the arcs fit: in each patch that is a rectangle, opposite sides
+have the same length. With positive integers, each rectangle can then be filled by a grid of quads
+that fits the grids of its neighbors. The number of all quads is the sum of width times height.
 
 \tparam TriangleMesh the type of the mesh
 \tparam Length a number type with exact sums

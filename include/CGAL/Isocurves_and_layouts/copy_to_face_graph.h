@@ -152,7 +152,7 @@ faces are added in the order of nodes, arcs, and patches.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, patches)`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_location_map}
-    \cgalParamDescription{receives for each new vertex where it lies on the mesh of the layout}
+    \cgalParamDescription{receives for each new vertex its place on the mesh of the layout}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<PolygonMesh>::%vertex_descriptor` as key type and
                    `Motorcycle_graph<TriangleMesh>::Location` as value type}
@@ -207,17 +207,17 @@ adds the mesh of a layout to another mesh, refined along the arcs: each of its f
 convex polygons by the arcs that cross it, so that each face belongs to one patch. How the faces are
 cut is decided exactly; the new points are rounded.
 
-The parameters are those of `copy_to_face_graph()`, but for these:
+The parameters are the same as for `copy_to_face_graph()`, except for these:
 - `edge_is_constrained_map` among `np2` receives for each new edge whether it lies on an arc.
 - `face_patch_map` among `np2` receives for each new face the patch that it belongs to.
-- The first vertices that are added are those of the mesh of the layout, in the order of
-  `vertices(tmesh)`, but for vertices without a face.
+- The first vertices that are added are the vertices of the mesh of the layout, in the order of
+  `vertices(tmesh)`, without vertices that have no face.
 
 \return `false` if there is no layout; then nothing is added.
 
 \par Complexity
-Linear in the size of the mesh and of the result, but for a logarithmic factor where points of arcs
-are sorted along an edge or in a face.
+Linear in the size of the mesh and of the result, except for sorting points of arcs along edges
+and in faces.
 
 \sa `CGAL::Polygon_mesh_processing::triangulate_faces()`
 */
@@ -293,9 +293,9 @@ namespace IO {
 \ingroup PkgIsocurvesAndLayoutsLayouts
 
 writes a layout in the format OBJ: the mesh refined along the arcs, as `refine_along_arcs()` makes
-it, with a group of faces for each patch, named `patch_1` and so on, of which those that are no
-rectangles are also in the group `cut`; and an element `l` for each arc, with all its points, in the
-group `arcs`.
+it, with a group of faces for each patch, named `patch_1` and so on, and an element `l` for each
+arc, with all its points, in the group `arcs`. Patches that are no rectangles are also in the group
+`cut`.
 
 \tparam TriangleMesh the type of the mesh of the layout
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -308,7 +308,7 @@ group `arcs`.
 \return `false` if there is no layout, or if writing fails
 
 \par Complexity
-That of `refine_along_arcs()`, and linear in what is written.
+As for `refine_along_arcs()`, and linear in the size of the file.
 */
 template <typename TriangleMesh,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

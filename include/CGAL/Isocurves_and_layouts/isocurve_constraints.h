@@ -118,9 +118,9 @@ isocurve_face_path(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& curv
 /*!
 \ingroup PkgIsocurvesAndLayoutsConstraints
 
-returns the constraint that the isocurve from the vertex where a curve starts meets the vertex where
-it ends; or, if the status of the curve is `Isocurve_status::MISSED_TARGET`, the vertex that it has
-missed. To follow an isocurve on an approximately seamless parametrization, see the parameter
+returns the constraint that the isocurve from the start vertex of a curve meets its end vertex. If
+the status of the curve is `Isocurve_status::MISSED_TARGET`, it is to meet the missed vertex
+instead. To follow an isocurve on an approximately seamless parametrization, see the parameter
 `decide_exactly` of `trace_isocurve()`.
 
 \param tmesh the mesh
@@ -155,7 +155,7 @@ connection_along_isocurve(const TriangleMesh& tmesh, const Isocurve<TriangleMesh
 /*!
 \ingroup PkgIsocurvesAndLayoutsConstraints
 
-returns the constraint that the isocurve from the vertex where a curve starts closes there. The
+returns the constraint that the isocurve from the start vertex of a curve closes there. The
 status of the curve is `Isocurve_status::CLOSED` or, if it passes by this vertex,
 `Isocurve_status::SPIRALS`.
 
@@ -197,7 +197,7 @@ A connection constraint whose isocurve does not arrive, as `intercepted_connecti
 struct Intercepted_connection
 {
   std::size_t index;   ///< the place in the range of connections
-  std::string message; ///< which constraint it is, and where its isocurve ends
+  std::string message; ///< the constraint, and the end of its isocurve
 };
 
 namespace internal {
@@ -275,11 +275,11 @@ std::string obstacle_of_connection(const Isocurve_tracer<TriangleMesh, D>& trace
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
 
-finds the connection constraints that hold, but whose isocurve does not arrive at its end, since a
-singular vertex or the border is in its way. A constraint says where its isocurve arrives if nothing
-is; so does `snap_to_seamless()`, whose result this function checks.
+finds the connection constraints that hold, but whose isocurve does not arrive at its end, because a
+singular vertex or the border is in its way. `snap_to_seamless()` makes constraints hold, but does
+not check the way; this function does.
 
-Where faces are flipped in the domain, an isocurve can turn back, and the result be wrong.
+If faces are flipped in the domain, an isocurve can turn back, and the result can be wrong.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`

@@ -59,26 +59,24 @@ directions \f$ +u, -u, +v, -v \f$ of its chart; or, in lattice coordinates, of i
 (see `Isocurve_direction`).
 
 The curve crosses cuts by their exact transitions, passes exactly through vertices, and runs along
-edges where these lie on it. It ends at the target, at a singular vertex, at the border, where it
-closes, or when a bound is reached. All decisions are comparisons that are exact, so that on an
-exactly seamless map there is no other end, with one exception: degenerate faces on which a
-coordinate is constant (`Isocurve_status::CONSTANT_ON_FACE`). A curve that is traced backwards from
-its end takes the same way. On a map that is not exactly seamless, nothing is traced: the status is
+edges that lie on it. It ends at the target, at a singular vertex, or at the border; if it closes;
+or if it reaches a bound. All decisions are exact comparisons. On an exactly seamless map there is
+only one other end: degenerate faces on which a coordinate is constant
+(`Isocurve_status::CONSTANT_ON_FACE`). A curve that is traced back from its end takes the same way.
+If the map is not exactly seamless, nothing is traced, and the status is
 `Isocurve_status::NOT_EXACT`.
 
-- At a regular vertex a curve goes straight on.
-- At the border it goes on where a border edge or a reentrant corner allows it to go straight on. At
-  a border vertex with an angle of 360 degrees or more, several continuations may be straight, as
-  along both sides of a slit: there it ends with `Isocurve_status::SINGULAR_VERTEX`. Where one
-  continuation is straight, it goes on also there.
-- An edge without length in the domain, whose vertices have the same coordinates, is part of each
-  isocurve through them: a curve that meets one of them may run along the edge and leave from the
-  other. Its faces have no area; where a coordinate is constant on one of them, the isocurves along
-  which it is constant end at the edge, with `Isocurve_status::CONSTANT_ON_FACE`.
-- Where faces are flipped, an isocurve is traced as the level set of a piecewise linear function: it
-  goes back in flipped faces, and may pass a vertex several times. In a folded star more than two
-  rays of an isocurve may leave the vertex: it goes on along the opposite one, as many rays to its
-  left as to its right, so that no two curves join and the way back is the same.
+- At a regular vertex, a curve goes straight on.
+- At the border, a curve goes on if a border edge or a reentrant corner allows one straight
+  continuation. If several continuations are straight, as along both sides of a slit, it ends with
+  `Isocurve_status::SINGULAR_VERTEX`.
+- An edge without length in the domain is part of each isocurve through its two vertices. A curve
+  that meets one of them may leave from the other. If a coordinate is constant on a face of such an
+  edge, isocurves of this coordinate end there with `Isocurve_status::CONSTANT_ON_FACE`.
+- In flipped faces, a curve goes back, as a level set of a piecewise linear function, and may pass a
+  vertex several times. If more than two rays of an isocurve leave a vertex, the curve goes on along
+  the opposite ray, with as many rays on its left as on its right. So no two curves join, and the
+  way back is the same.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -89,7 +87,7 @@ its end takes the same way. On a map that is not exactly seamless, nothing is tr
 \param tmesh the mesh
 \param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
        `target(h)`. Values of border halfedges are not read.
-\param start where the curve starts; `Isocurve_tracer::outgoing()` lists the curves that leave a
+\param start the start of the curve; `Isocurve_tracer::outgoing()` lists the curves that leave a
        vertex
 \param direction the direction in which it starts, in the chart of `face(start.halfedge)`
 \param output receives the points of the curve: the start, the edges crossed and vertices met, the
@@ -126,7 +124,7 @@ its end takes the same way. On a map that is not exactly seamless, nothing is tr
   \cgalParamNBegin{decide_exactly}
     \cgalParamDescription{`false` has all decisions made in floating point, as code would do that
                           knows nothing of exact maps; then the parametrization need not be exactly
-                          seamless. Where this goes wrong, the curve ends, and its status says why.
+                          seamless. If this goes wrong, the curve ends, and its status says why.
                           Meant for demonstration.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
@@ -140,8 +138,7 @@ its end takes the same way. On a map that is not exactly seamless, nothing is tr
   \cgalParamNEnd
   \cgalParamNBegin{near_distance}
     \cgalParamDescription{in floating point only: the distance, relative to the extent of the
-                          coordinates, below which a curve is taken to have missed what it passes
-                          by}
+                          coordinates, below which a curve counts as having missed a vertex}
     \cgalParamType{`double`}
     \cgalParamDefault{100 times the largest violation of a transition divided by the extent, and at
                       least 1e-12}
@@ -203,10 +200,10 @@ if it is traced in floating point, possibly by a failure (see `Isocurve_status`)
 \param output receives the curves in the order of the vertices of the mesh, counterclockwise around
        each. The order does not depend on the number of threads. All threads read the property
        map `vertex_is_constrained_map`.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of
        `trace_isocurve()`
 
-\return the past-the-end output iterator. Where `trace_isocurve()` would return the status
+\return the past-the-end output iterator. If `trace_isocurve()` would return the status
         `Isocurve_status::NOT_EXACT`, a single curve with this status is written.
 
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
@@ -249,8 +246,8 @@ inline double rounded_component(const Uv& u, const std::size_t c)
 \ingroup PkgIsocurvesAndLayoutsTracing
 
 returns the position of a point on an edge: 0 at the source of `point.halfedge()`, 1 at its target.
-It is exact where the curve crosses the edge. Where the curve starts on the edge and runs along it,
-the position is computed from the rounded coordinates of the start.
+It is exact if the curve crosses the edge. If the curve starts on the edge and runs along it, the
+position is computed from the rounded coordinates of the start.
 
 \param point a point of a curve that was traced on `tmesh` with `uv_map`
 \param tmesh the mesh

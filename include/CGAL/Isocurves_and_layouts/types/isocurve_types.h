@@ -57,7 +57,7 @@ inline Isocurve_direction reversed(const Isocurve_direction direction)
 
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
-What a point of an isocurve lies on.
+The element of the mesh on which a point of an isocurve lies.
 */
 enum class Isocurve_place
 {
@@ -69,13 +69,12 @@ enum class Isocurve_place
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
 
-How a traced isocurve ends. From `STUCK_AT_CUT` on, the ends can only occur where a parametrization
-is traced in floating point: these are the failures that Mandad and Campen
-\cgalCite{cgal:mc-ecstsp-19} list.
+The end of a traced isocurve. The ends from `STUCK_AT_CUT` on occur in floating point only: they are
+the failures that Mandad and Campen \cgalCite{cgal:mc-ecstsp-19} list.
 */
 enum class Isocurve_status
 {
-  CONTINUES,        ///< it goes on: of no curve, but of `Isocurve_walker::advance()`
+  CONTINUES,        ///< it goes on; only `Isocurve_walker::advance()` returns this
   TARGET,           ///< it has met a vertex that was given
   SINGULAR_VERTEX,  ///< it has met a singular vertex, or a border vertex (of 360 degrees or more)
                     ///< at which several continuations are straight
@@ -96,7 +95,7 @@ enum class Isocurve_status
 
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
-returns `true` for the ends that can only occur where a parametrization is not exactly seamless.
+returns `true` for the ends that can only occur if a parametrization is not exactly seamless.
 */
 inline bool is_failure(const Isocurve_status status)
 {
@@ -148,7 +147,8 @@ inline std::ostream& operator<<(std::ostream& os, const Isocurve_status status)
 /*!
 \ingroup PkgIsocurvesAndLayoutsLayouts
 
-The stop policy of motorcycle graphs: each curve ends where it meets another one, or itself.
+The stop policy of motorcycle graphs: each curve ends at the first curve that it meets, be it
+itself.
 */
 struct Stop_at_curves
 {
