@@ -277,7 +277,7 @@ Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map
 
 namespace internal {
 
-constexpr double lattice_height = 0.86602540378443864676; // of its triangle: sqrt(3) / 2
+constexpr double lattice_height = 0.86602540378443864676; // sqrt(3) / 2
 
 // Replaces the coordinates of all corners.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename Conversion>

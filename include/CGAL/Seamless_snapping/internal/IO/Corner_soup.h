@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Of a point, coordinates, or a line. Half as long as addresses: in large files, the memory that is
-// touched for the first time takes as much time as parsing.
+// The index of a point, coordinates, or a line. It is half as long as an address, because the first
+// access to memory takes as much time as parsing in large files.
 using Soup_index = std::uint32_t;
 constexpr Soup_index largest_soup_index = static_cast<Soup_index>(-2); // -1 stands for none
 

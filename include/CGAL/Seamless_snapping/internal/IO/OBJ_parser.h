@@ -157,7 +157,7 @@ private:
     Segment segment{};
     segment.line = m_scanner.line();
     for(std::string_view token; !(token = m_scanner.next_token()).empty();) {
-      const std::size_t slash = token.find('/'); // of an element v/vt
+      const std::size_t slash = token.find('/'); // in an element v/vt
       if(slash != token.npos)
         parse_signed_index(token.substr(slash + 1), "texture coordinate");
       segment.vertices[0] = segment.vertices[1];

@@ -51,7 +51,7 @@ public:
   {
     const std::size_t n = soup.uvs.size(); // old statements
     Distinct_uvs distinct(n);
-    std::vector<std::size_t> old_index; // of each distinct pair
+    std::vector<std::size_t> old_index; // per distinct pair
     if(n + 3 * soup.triangles.size() > largest_soup_index)
       throw File_refusal(0, "the file is too large; nothing is written");
     m_index.reserve(3 * soup.triangles.size());
@@ -147,7 +147,7 @@ private:
     const std::string_view end = m_scanner.finish_statement();
     std::string statements(end);
     for(std::size_t i = m_layout.first(k) + 1; i < m_layout.first(k + 1); ++i) {
-      if(end.empty()) // of the text
+      if(end.empty()) // at the end of the text
         statements += '\n';
       statements += "vt ";
       append_number(m_layout.uv(i)[0], statements);

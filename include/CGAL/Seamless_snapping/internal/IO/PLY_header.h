@@ -64,7 +64,7 @@ struct PLY_property
   PLY_type type;
   std::string_view type_name; // where it stands in the header
   bool is_list = false;
-  PLY_type count_type = PLY_type::UINT8; // of lists
+  PLY_type count_type = PLY_type::UINT8; // for lists
 };
 
 struct PLY_element

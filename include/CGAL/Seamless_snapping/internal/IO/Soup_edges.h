@@ -79,11 +79,11 @@ public:
   }
 
   // Throws `File_refusal` unless each edge has one side, or two that run in opposite directions.
-  // Of several edges at fault, the one whose fault shows first in the file is named.
+  // Names the edge whose fault shows first in the file.
   // `when` begins the message.
   void check_manifold(const std::string& when = "") const
   {
-    const Side *first = nullptr, *last = nullptr, *first_fault = nullptr; // of the edge to be named
+    const Side *first = nullptr, *last = nullptr, *first_fault = nullptr; // edge to be named
     for_each_edge([&](const Side* const begin, const Side* const end) {
       const Side* const fault = faulty_side(begin, end);
       if(fault != end && (first_fault == nullptr || fault->side < first_fault->side)) {
@@ -149,7 +149,7 @@ private:
     return std::minmax(v[s % 3], v[next_side(s) % 3]);
   }
 
-  // Those of lower vertex `v` come before those of the next one.
+  // The first side at lower vertex `v`; sides are sorted by lower vertex.
   const Side* first_at(const std::size_t v) const { return m_sides.data() + m_first[v]; }
   Side* first_at(const std::size_t v) { return m_sides.data() + m_first[v]; }
 
@@ -195,7 +195,7 @@ private:
   [[noreturn]] void refuse(const Side* const first, const Side* const last, const Side& fault,
                            const std::string& when) const
   {
-    const std::size_t first_number = line(fault) == 0 ? 0 : 1; // of vertices in the file
+    const std::size_t first_number = line(fault) == 0 ? 0 : 1; // vertices in the file
     const auto [low, high] = ends(fault.side);
     const std::string edge = when + "edge " + std::to_string(low + first_number) + " "
                              + std::to_string(high + first_number);
@@ -255,7 +255,7 @@ std::vector<std::size_t> split_non_manifold_vertices(const std::vector<Side_inde
   constexpr Side_index no_side = Soup_edges<Triangle>::no_side;
   std::vector<std::size_t> origins;
   std::vector<bool> has_fan(points.size(), false);
-  std::vector<bool> is_done(mates.size(), false); // of the vertex at the start of each side
+  std::vector<bool> is_done(mates.size(), false); // per side, for the vertex at its start
 
   for(Side_index s = 0; s < mates.size(); ++s) {
     if(is_done[s])

@@ -71,7 +71,7 @@ public:
   }
 
   const Mesh& mesh() const { return m_mesh; }
-  const Corner_map& corner() const { return m_corner; } // of each halfedge but those of the border
+  const Corner_map& corner() const { return m_corner; } // per halfedge, except on the border
   const Edge_map& is_feature() const { return m_is_feature; }
 
 private:

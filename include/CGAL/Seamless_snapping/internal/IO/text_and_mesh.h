@@ -93,7 +93,7 @@ add_vertices(const Points& points, const Vertex_changes& changes, TriangleMesh& 
     vertices[i] = add_vertex(tmesh);
     put(vpm, vertices[i], Point(FT(points[i][0]), FT(points[i][1]), FT(points[i][2])));
   };
-  const std::size_t n = points.size() - changes.number_of_split_vertices; // of the file
+  const std::size_t n = points.size() - changes.number_of_split_vertices; // in the file
   std::for_each(changes.file_vertices.begin(),
                 changes.file_vertices.end()
                   - static_cast<std::ptrdiff_t>(changes.number_of_split_vertices), add);
@@ -222,7 +222,7 @@ std::string rewritten_text(const std::string_view text, const Soup& soup, const 
   return Rewriter<Soup>(text, soup, for_each_uv).rewrite();
 }
 
-// The same where only the text is known.
+// The rewritten text, if only the text is known.
 template <template <typename, typename> class Parser, template <typename> class Rewriter,
           typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 std::string rewritten_text(const std::string_view text, const TriangleMesh& tmesh,

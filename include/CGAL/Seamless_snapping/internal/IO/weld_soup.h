@@ -43,7 +43,7 @@ namespace internal {
 struct Coinciding_sides
 {
   std::vector<std::array<Side_index, 2> > seams;
-  std::size_t number = 0; // of all that lie on others, also those of the seams
+  std::size_t number = 0; // all edges that lie on others, also on seams
 };
 
 // Three sides or more in one place leave open which belong together, and two of the same direction

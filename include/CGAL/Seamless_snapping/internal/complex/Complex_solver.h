@@ -45,8 +45,7 @@ template <typename Group>
 struct Snapped_coordinates
 {
   std::vector<typename Cut_complex<Group>::Vector> coordinates; // per sector
-  // Of all Cartesian coordinates, had they not been rounded to grids: those of the least-squares
-  // optimum.
+  // The changes of all Cartesian coordinates in the least-squares optimum, without rounding.
   Magnitudes optimal_changes;
   // a component that needs a coarser grid; if there is one, all is void
   Component_index misfit = -1;
@@ -120,7 +119,7 @@ private:
                                 minus_k = m_components.of_minus(b);
     const std::size_t first_column = std::size_t(m_system.translation(b));
     std::array<std::int64_t, dimension> t;
-    Vector rounding; // of t
+    Vector rounding; // change of t
     for(std::size_t c = 0; c < dimension; ++c) {
       t[c] = m_solution.x[first_column + c];
       rounding[c] = optimal_change({t[c], 0}, Column_index(first_column + c));
@@ -288,7 +287,7 @@ public:
   // none, if so.
   std::optional<Refusal> solve(Snapped_coordinates<Group>& snapped);
 
-  // The same for targets beside the input. Returns false if there are none.
+  // Solves for targets beside the input. Returns false if there is no solution.
   bool solve_shifted(const Target_shifts<Group>& shifts, Coordinates& coordinates) const;
 
   // What the linear solver approximates where no target is shifted.
@@ -348,7 +347,7 @@ private:
     return are_finite;
   }
 
-  // Those that are exact in the input, and are not asked to move.
+  // The components that are exact in the input, and are not asked to move.
   std::vector<char> kept_components(const Target_shifts<Group>& shifts) const
   {
     std::vector<char> result(m_is_exact);

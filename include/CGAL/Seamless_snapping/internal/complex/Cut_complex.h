@@ -36,7 +36,7 @@ namespace Seamless_snapping {
 namespace internal {
 
 using Sector_index = std::int32_t;
-// of a vertex of the complex: those without constraints are not in it
+// the index of a vertex of the complex, which has no vertices without constraints
 using Vertex_index = std::int32_t;
 using Branch_index = std::int32_t;
 
@@ -62,7 +62,7 @@ struct Cut_complex
   struct Mixed_sector
   {
     Sector_index sector;
-    Vector deviation;  // of the mean of the corners from the first
+    Vector deviation;  // from the first corner to the mean of the corners
     double distance;   // root mean square, of the corners from their mean
     double largest;    // absolute value of a coordinate of its corners
   };
@@ -98,7 +98,7 @@ struct Cut_complex
   };
 
   // Sectors
-  std::vector<Vector> coordinates;          // of the input; of the first corner of mixed sectors
+  std::vector<Vector> coordinates;          // in the input; first corner of mixed sectors
   std::vector<Mixed_sector> mixed_sectors;  // by sector
   std::vector<Sector_index> first_sector;   // per vertex, and the number of sectors
   std::vector<char> is_node;                // per vertex
@@ -129,7 +129,7 @@ struct Cut_complex
     return found != mixed_sectors.end() && found->sector == s ? &*found : nullptr;
   }
 
-  // Those between the pairs, or links, at the nodes.
+  // The pairs between the pairs, or links, at the nodes.
   typename Lists<Pair>::List inner_pairs(const std::size_t b) const
   { return pairs[b].advance_begin(1).advance_end(-1); }
   Lists<Sector_index>::List inner_links(const std::size_t c) const

@@ -50,7 +50,7 @@ private:
   void add_core(const Integer_system& rows, std::vector<char>& is_implied);
   void substitute_back(const Entries<Exact_integer>& row, Column_index pivot);
 
-  static constexpr std::size_t most_terms = std::size_t(1) << 26; // of all sums: a gigabyte
+  static constexpr std::size_t most_terms = std::size_t(1) << 26; // in all sums: a gigabyte
 
   std::vector<Sparse_row> m_sums; // per column
   std::size_t m_size = 0;
@@ -92,7 +92,7 @@ public:
              : m_sums[std::size_t(-1 - m_places[i])] == m_sums[std::size_t(-1 - m_places[j])];
   }
 
-  // Of those that are not one quantity.
+  // The terms of sums that are not one quantity.
   std::size_t number_of_terms_of_sums() const
   {
     std::size_t result = 0;
@@ -223,7 +223,7 @@ private:
 
   Free_unknowns m_unknowns;
   std::size_t m_number_of_columns, m_first_unknown; // the latter after those of the columns
-  // Of the sectors, over columns of the reduced system, and coordinates that stay free behind them.
+  // The coordinates of the sectors, over columns of the reduced system and then free coordinates.
   Short_sums m_coordinates;
 };
 

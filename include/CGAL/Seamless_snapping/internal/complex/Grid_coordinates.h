@@ -70,14 +70,14 @@ public:
     return of_columns(m_system.unknown(s));
   }
 
-  // Of a branch with inner pairs: of the minus sectors, which share the components of the
-  // translation.
+  // The components of the minus sectors of a branch with inner pairs, which share the components of
+  // the translation.
   Components<dimension> of_minus(const std::size_t b) const
   {
     return of_columns(m_system.translation(b));
   }
 
-  // Of its plus sectors: a row of the rotation links a coordinate to one of the minus sectors.
+  // The components of the plus sectors: a row of the rotation links a coordinate to a minus sector.
   Components<dimension> of_plus(const std::size_t b) const
   {
     const Components<dimension> minus = of_minus(b);
@@ -90,7 +90,7 @@ public:
     return result;
   }
 
-  // Of the inner sectors of a chain: those coordinates that its level moves.
+  // The coordinates of the inner sectors of a chain that its level moves.
   Components<dimension> of_link(const std::size_t chain) const
   {
     const auto direction = Group::shortest_at_level_1(m_complex.functional[chain]);

@@ -38,7 +38,7 @@ struct Row_origin
   enum Kind { BRANCH, CHAIN, PATH, EQUATION, SUM };
   Kind kind;
   std::size_t index;
-  bool is_at_end; // of the branch or chain, else at its beginning
+  bool is_at_end; // or at the beginning of the branch or chain
 };
 
 // Invariant: the columns are those of the nodes' sectors, one per coordinate, in order; then those
@@ -91,7 +91,8 @@ public:
 
   // Whether vectors have a column for the sum of their coordinates.
   static constexpr bool has_sums = Group::number_of_functionals > int(dimension);
-  // That of the vector whose coordinate 0 has the given column: of a node or a translation.
+  // The column of u + v for the vector whose coordinate 0 has the given column: a node or a
+  // translation.
   Column_index sum(const Column_index vector) const
   {
     return m_first_sum + vector / Column_index(dimension);
@@ -180,7 +181,7 @@ private:
     for(const auto& crossing : path.crossings)
       f = Group::act(element_across(crossing), f).index;
     const auto wanted = Group::functional(f);
-    Element behind = Group::identity(); // of the crossings behind
+    Element behind = Group::identity(); // across the crossings behind
     for(auto crossing = path.crossings.rbegin(); crossing != path.crossings.rend(); ++crossing) {
       const Element before = Group::compose(behind, element_across(*crossing));
       if(crossing->is_along) // u' = g u + t
@@ -213,7 +214,7 @@ private:
                          const std::int64_t factor)
   { append(unknown(s), f, factor); }
 
-  // The same for the vector whose coordinate 0 has the given column.
+  // Appends the vector whose coordinate 0 has the given column.
   void append(const Column_index vector, const Functional<dimension>& f, const std::int64_t factor)
   {
     for(std::size_t d = 0; d < dimension; ++d)

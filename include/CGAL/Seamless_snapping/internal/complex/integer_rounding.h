@@ -50,9 +50,9 @@ struct Rounding
 {
   enum Kind { BRANCH, CHAIN, POINT };
   Kind kind;
-  std::size_t index; // of the branch, the chain, or the sector
+  std::size_t index; // branch, chain, or sector
   double rounded; // the integer
-  double value;   // of the input
+  double value;   // in the input
   typename Cut_complex<Group>::Equation equation;
 
   double distance() const { return std::abs(rounded - value); }

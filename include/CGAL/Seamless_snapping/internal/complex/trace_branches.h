@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-using Edge_index = std::int32_t; // of an edge of a list
+using Edge_index = std::int32_t; // the index of an edge in a list
 
 // An edge and a direction: 2 i for the direction from the source of edge i to its target, 2 i + 1
 // for the other.

@@ -86,7 +86,7 @@ struct Constraint_list
     return result;
   }
 
-  // The same with `number(h)` for each halfedge h.
+  // The constraints with `number(h)` for each halfedge h.
   template <typename Number>
   auto renumbered(const Number& number) const
   {

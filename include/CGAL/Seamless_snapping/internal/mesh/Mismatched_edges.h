@@ -58,7 +58,7 @@ struct Mismatched_edge
   bool is_exact = false; // whether [MC19] Eq. (4) holds exactly
   // in units of the extent, rounded up to a power of two:
   double residual = 0;   // by how much [MC19] Eq. (4) is violated
-  double length = 0;     // of the edge
+  double length = 0;     // edge
   double gap = 0;        // between the sides: for k = 0 the length of the translation
 };
 
@@ -103,7 +103,7 @@ typename Group::Element holonomy(const Vertex_incidences& incidences,
                                  const std::vector<Mismatched_edge<Halfedge> >& edges,
                                  const Vertex_index v, const Edge_index except = -1)
 {
-  auto product = Group::identity(); // of elements that commute, as those of the plane do
+  auto product = Group::identity(); // the elements commute, as all rotations of the plane do
   for(const Incidence& i : incidences[v])
     if(i.edge != except) {
       const auto g = edges[std::size_t(i.edge)].rotation;

@@ -108,7 +108,7 @@ constexpr bool check_map_of_corners()
   }
 }
 
-// The same for a public function.
+// Checks the map of a public function.
 template <typename TriangleMesh, typename HalfedgeUVMap>
 constexpr bool check_uv_map()
 {
@@ -187,7 +187,7 @@ public:
   { return std::size_t(get(m_vertex_indices, target(h, m_tmesh))); }
   std::size_t source(const Halfedge h) const { return vertex(opposite(h)); }
 
-  // Of the corner of a halfedge.
+  // The coordinates of the corner of a halfedge.
   Uv uv(const Halfedge h) const { return get_uv(m_uv_map, h); }
   void set_uv(const Halfedge h, const Uv& uv)
   { put(m_uv_map, h, Point(static_cast<Number>(uv[0]), static_cast<Number>(uv[1]))); }

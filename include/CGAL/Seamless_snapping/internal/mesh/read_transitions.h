@@ -149,7 +149,7 @@ public:
            rotation(h) != Group::identity(); // perhaps not inverse
   }
 
-  // The same of other halfedges, of which `h` stands for `halfedges[h]`.
+  // The transitions of other halfedges, of which `h` stands for `halfedges[h]`.
   template <typename OtherHalfedge>
   Given_transitions<Group, OtherHalfedge>
   renumbered(const std::vector<Halfedge>& halfedges) const

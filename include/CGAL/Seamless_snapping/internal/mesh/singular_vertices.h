@@ -94,8 +94,8 @@ singular_vertices(const Surface& surface, const double scale, const int n,
   return result;
 }
 
-// Those without holonomy: of 720 degrees, and other multiples of 360, in positive faces. In the
-// order of the mesh; all faces are looked at.
+// The singular vertices without holonomy: cones of 720 degrees, and other multiples of 360, in
+// positive faces. In the order of the mesh; all faces are visited.
 template <typename Group, typename Surface, typename Halfedge>
 void add_full_turns(const Surface& surface, const double scale, const int n,
                     std::vector<std::pair<Halfedge, int> >& result)

@@ -127,7 +127,7 @@ survey_uv(const Surface& surface,
   survey.mismatched_edges.reserve(surface.number_of_edges() / 16);
   CGAL::Bbox_2 box;
   std::size_t number_of_corners = 0;
-  std::size_t number_of_digons = 0; // of faces or, which is allowed, of holes, by halfedges
+  std::size_t number_of_digons = 0; // halfedges of digons: faces, or holes, which are allowed
   // NaN differs from itself, so that only open edges and the border can hide it
   bool in_range = true;
 

@@ -184,14 +184,14 @@ private:
     Face_index face;
     bool is_target, is_wanted, is_positive;
     double area, wanted;
-    Uv form; // of the displacement: the change of the area
+    Uv form; // a displacement times it is the change of the area
   };
 
   struct Plan
   {
     Vertex_move<Group> move;
-    double unit; // of areas and displacements
-    bool is_for_flip; // of the input
+    double unit; // for areas and displacements
+    bool is_for_flip; // in the input
     std::vector<Ring_face> ring;
     Uv displacement; // in the coordinates of the map; half planes are Cartesian
   };

@@ -133,7 +133,7 @@ public:
 
   const std::vector<Face_index>& faces() const { return m_faces; }
 
-  // Those that are not positive, among the faces that were positive in the input, or all others.
+  // The faces that are not positive, among the positive faces of the input, or all others.
   template <typename Points>
   std::vector<Face_index> not_positive(const Points& points, const Uv_state& state,
                                        const bool were_positive) const

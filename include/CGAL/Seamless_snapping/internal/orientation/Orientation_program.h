@@ -246,7 +246,7 @@ public:
         s(i, j) = change(conditions[std::size_t(i)], response);
     }
     s = (0.5 * (s + s.transpose())).eval();
-    s.diagonal().array() += 1e-9; // of lengths 1; for conditions that exclude each other
+    s.diagonal().array() += 1e-9; // lengths are 1; for conditions that exclude each other
     forces = minimize_nonnegative(s, missing, work);
     if(!forces.allFinite())
       return false;
@@ -254,7 +254,7 @@ public:
     for(Eigen::Index i = 0; i < n; ++i)
       for(const auto& p : conditions[std::size_t(i)].force)
         add(shift, p.first, {{forces[i] * p.second[0], forces[i] * p.second[1]}});
-    Target_shifts<Group> shifts; // of sectors
+    Target_shifts<Group> shifts; // per sector
     for(const auto& p : shift)
       if(m_points.is_sector(p.first))
         shifts[p.first] = {{p.second[0] * m_unit, p.second[1] * m_unit}};
@@ -353,7 +353,7 @@ private:
   const Complex_solver<Group>& m_solver;
   Uv_state m_optimum; // that programs start from
   Vectors m_shift;    // its targets, in units
-  Vectors m_last_shift; // of the last solution
+  Vectors m_last_shift; // in the last solution
   double m_unit;
   Displacements<Group> m_displacements;
 };

@@ -262,12 +262,11 @@ private:
   // Repairs may change coordinates by so many times the violation or, where that is larger, the
   // optimum's largest change.
   static constexpr double largest_growth = 4;
-  // Of the extent. Where constraints ask for larger changes, linearized orientations mean nothing.
+  // Relative to the extent. For larger changes, linearized orientations mean nothing.
   static constexpr double largest_reach = 0.01;
   // Faces of one program, and of all together.
   static constexpr std::size_t largest_program = 1000, largest_work = 6000;
-  // Of programs, for each iteration and face: real maps take up to 100. There are some for small
-  // meshes, too.
+  // The multiplications of programs, for each iteration and face. Real maps take up to 100.
   static constexpr double multiplications = 250;
   static constexpr std::size_t least_number_of_faces = 1000;
 

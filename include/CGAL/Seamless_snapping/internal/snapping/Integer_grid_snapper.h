@@ -45,7 +45,7 @@ namespace internal {
 // Below, it is enough to move the vertices of the cuts.
 constexpr double negligible_rounding = 1e-4;
 
-// Of cones that untangling makes, one after the other.
+// The roundings of cones that untangling makes, one after the other.
 constexpr int largest_number_of_roundings = 8;
 
 // Corners at vertices that have to be points of the grid though neither cuts nor levels tell of
@@ -185,7 +185,7 @@ private:
   {
     const double before = m_is_rounded ? m_report.largest_rounding : 0;
     m_is_rounded = m_has_spread = true;
-    // those that the displacement may have made
+    // for flips that the displacement may have made
     m_flip_repair = (std::max)(m_flip_repair, Flip_repair::NEAR_BY);
     Rounding_spreader<Group> spreader(m_surface, cuts);
     if(!spreader.compute(m_choice.roundings))

@@ -68,8 +68,8 @@ public:
 
   std::vector<Change> take() { return std::move(m_changes); }
 
-  // Of all Cartesian coordinates. Each sector, and each vertex without one, counts once; corners
-  // that differ share its weight.
+  // The changes of all Cartesian coordinates. Each sector, and each vertex without one, counts
+  // once; corners that differ share its weight.
   const Magnitudes& changes() const { return m_magnitudes; }
 
 private:
@@ -146,7 +146,7 @@ struct Snapping_options
   Flip_repair flip_repair;
   std::size_t number_of_untangling_iterations;
 
-  // The same with `number(h)` for each halfedge h.
+  // The options with `number(h)` for each halfedge h.
   template <typename Number>
   auto renumbered(const Number& number) const
   {
@@ -243,7 +243,7 @@ protected:
     return std::nullopt;
   }
 
-  // Of a complex with these roundings as its last equations.
+  // Solves a complex with these roundings as its last equations.
   std::optional<Refusal> solve(const bool has_exact_transitions, const Cuts& cuts,
                                const std::vector<Rounding<Group> >& roundings)
   {

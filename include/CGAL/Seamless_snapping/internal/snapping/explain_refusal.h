@@ -81,12 +81,12 @@ std::string name_of_row(const Row_origin& origin, const Surface& surface,
                : "the rounding of " + name_of_rounding(roundings[i - n], surface, cuts);
 }
 
-// The same refusal with a message that names the place and the remedy.
+// The refusal with a message that names the place and the remedy.
 template <typename Group, typename Surface>
 Refusal explained(Refusal refusal, const Surface& surface,
                   const Surface_cuts<Group, typename Surface::Halfedge>& cuts,
                   const Constraint_list<typename Surface::Halfedge>& constraints,
-                  const std::vector<Rounding<Group> >& roundings, // of equations after the caller's
+                  const std::vector<Rounding<Group> >& roundings, // equations after the caller's
                   const Reduced_system<Group>& system)
 {
   if(refusal.status == Outcome::NOT_REPRESENTABLE) {

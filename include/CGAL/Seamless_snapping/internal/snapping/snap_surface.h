@@ -81,7 +81,7 @@ double compare_with_input(const std::vector<Uv>& input, const double scale,
   report.largest_change = changes.largest();
   report.mean_change = changes.mean();
   report.rms_change = changes.root_mean_square();
-  report.optimal_rms_change = 0; // that of a step
+  report.optimal_rms_change = 0; // known for one step only
   return area;
 }
 

@@ -139,7 +139,7 @@ public:
     return m_solution.allFinite();
   }
 
-  // Of the displacement, once it is computed: by how much edge vectors change.
+  // The energy of the computed displacement: the changes of edge vectors.
   double energy() const
   {
     double result = 0;
@@ -389,7 +389,7 @@ private:
     }
   }
 
-  // Of what the rounding is of.
+  // The change of the quantity that is rounded.
   Form change(const Rounding<Group>& r) const
   {
     const auto& term = r.equation.terms.front();
@@ -491,13 +491,13 @@ private:
   static constexpr double thinnest = 1e-5;
   // Relative to edges of faces of good shape.
   static constexpr double weight_of_conditions = 1e6;
-  // Of displacements as such: where charts lie means nothing.
+  // The weight of displacements as such, because the place of a chart has no meaning.
   static constexpr double weight_of_nothing = 1e-8;
 
   Flat_surface& m_surface;
   const Cuts& m_cuts;
   const Cut_complex<Group>& m_complex;
-  std::size_t m_first_translation, m_first_level, m_number_of_unknowns; // those of vertices first
+  std::size_t m_first_translation, m_first_level, m_number_of_unknowns; // vertices come first
   std::vector<Sector_index> m_sectors;     // per corner: -1 where it is in none
   std::vector<double> m_weights;           // per corner
   std::vector<std::vector<Link> > m_links; // per sector

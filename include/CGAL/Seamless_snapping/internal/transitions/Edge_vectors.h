@@ -132,7 +132,7 @@ private:
   Vector m_side, m_opposite;
 };
 
-// The same for coordinates whose differences may overflow.
+// Whether sides match exactly, for coordinates whose differences may overflow.
 template <typename Group>
 bool match_exactly(const Edge_sides& s, const typename Group::Element g)
 {

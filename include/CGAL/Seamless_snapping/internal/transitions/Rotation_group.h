@@ -167,7 +167,7 @@ public:
       return {v[0] - 0.5 / height * v[1], v[1] / height};
   }
 
-  // The same for a linear form, so that its values stay.
+  // Converts a linear form, so that its values stay.
   static std::array<double, dimension> form_to_cartesian(const std::array<double, dimension>& form)
   {
     if constexpr(is_signed_permutation)
@@ -183,7 +183,7 @@ public:
   }
 
 private:
-  static constexpr double height = 0.86602540378443864676; // of the lattice's triangle: sqrt(3) / 2
+  static constexpr double height = 0.86602540378443864676; // triangle of the lattice: sqrt(3) / 2
 
   static constexpr Matrix generator()
   { return {{{{0, -1}}, {{1, is_signed_permutation ? 0 : 1}}}}; }

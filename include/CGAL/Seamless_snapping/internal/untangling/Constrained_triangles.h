@@ -37,7 +37,7 @@ namespace internal {
 // What a triangle should look like in the domain, up to a rotation.
 struct Reference_shape
 {
-  Eigen::Matrix2d inverse; // of the matrix with two edges as columns: from corner 0 to 1, and to 2
+  Eigen::Matrix2d inverse; // the matrix has two edges as columns: from corner 0 to 1, and to 2
   double area;
 
   // \pre the area is positive

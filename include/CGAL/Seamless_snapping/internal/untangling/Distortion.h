@@ -75,8 +75,8 @@ public:
     const FT d = determinant(j), root = std::sqrt(m_squared + d * d);
     const FT n = numerator(j, d), c = chi(d);
     const FT c1 = c / root, c2 = m_squared / (2 * root * root * root); // derivatives of chi
-    const Vector d1(j[3], -j[2], -j[1], j[0]);                    // of the determinant
-    const Vector n1 = 2 * j + 2 * d * d1;                         // of the numerator
+    const Vector d1(j[3], -j[2], -j[1], j[0]);                    // gradient of the determinant
+    const Vector n1 = 2 * j + 2 * d * d1;                         // gradient of the numerator
     Matrix d2 = Matrix::Zero();
     d2(0, 3) = d2(3, 0) = 1;
     d2(1, 2) = d2(2, 1) = -1;
@@ -117,7 +117,7 @@ private:
   FT m_squared;
 };
 
-// Of a factorization, that take as long as an iteration over a triangle.
+// The multiplications of a factorization that take as long as an iteration over a triangle.
 inline constexpr double multiplications_over_a_triangle = 8000;
 
 template <typename FT>
@@ -178,7 +178,7 @@ public:
                       (of_factor + 8 * double(m_places.size())) / multiplications_over_a_triangle);
   }
 
-  // Of the pattern and its order of elimination, in the same units.
+  // The cost of the pattern and its order of elimination, in the same units.
   double cost_of_start() const { return double(m_terms.size()) + double(m_places.size()) / 10; }
 
   // What the unknowns that may change have changed by.
@@ -351,9 +351,9 @@ private:
   std::vector<Term> m_terms;
   Sparse_matrix m_hessian;              // its lower triangle
   std::vector<std::ptrdiff_t> m_places; // among its values: of the entries of each term
-  Simplicial_cholesky<Sparse_matrix> m_solver; // of lower triangles
-  // in place of it where factors take longer than triangles, as where the translations of cuts make
-  // long rows
+  Simplicial_cholesky<Sparse_matrix> m_solver; // uses lower triangles
+  // in place of it if factors take longer than triangles, for example because the translations of
+  // cuts make long rows
   std::optional<Sparse_cholesky<Sparse_matrix> > m_block_solver;
 };
 

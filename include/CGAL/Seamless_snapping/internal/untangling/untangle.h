@@ -49,7 +49,7 @@ class Untangler
   // patches of small ones.
   struct Attempt
   {
-    std::size_t rings, most_triangles_of_unknown, iterations; // of those that succeed: 10 to 40
+    std::size_t rings, most_triangles_of_unknown, iterations; // successful ones take 10 to 40
     bool may_change_angles;
   };
 
@@ -108,7 +108,7 @@ private:
   // handles, that a patch with all of these would take long: as dense as it is large.
   bool has_long_rows() const
   {
-    constexpr std::size_t many = 30; // of a triangle: without translations, there are six
+    constexpr std::size_t many = 30; // per triangle; without translations, there are six
     std::size_t sum = 0;
     for(const std::vector<std::size_t>& triangles : m_triangles_of)
       sum += triangles.size();

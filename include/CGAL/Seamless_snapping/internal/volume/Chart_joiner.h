@@ -116,7 +116,7 @@ private:
   // Turns and moves charts along a spanning forest. Returns how many it reaches from others.
   std::size_t span()
   {
-    const Lists<Corner_index> facets( // of the cuts, by the chart of their cells
+    const Lists<Corner_index> facets( // cut facets, by the chart of their cells
       m_element_of_chart.size(), [&](const auto& add) {
         for(std::size_t i = 0; i < m_is_cut.size(); ++i)
           if(m_is_cut[i] != 0)
@@ -197,7 +197,7 @@ private:
       queue.push_back(std::size_t(edge.places));
   }
 
-  // Those that cut facets have, with all facets around.
+  // Finds the edges of cut facets, with all facets around.
   void find_edges()
   {
     m_edge.assign(3 * m_is_cut.size(), unknown);

@@ -101,10 +101,10 @@ struct Flat_volume
   Turned_cells turned;                      // by these names
   std::vector<std::int64_t> vertex_names;   // per vertex: the caller's
   std::vector<char> is_fixed;               // per vertex: no constraint concerns it
-  std::vector<Corner_index> open_facets;    // those whose sides differ, as one of the cells sees it
+  std::vector<Corner_index> open_facets;    // facets whose sides differ, seen from one cell
   std::vector<Corner_index> aligned_facets; // likewise
   std::vector<Aligned_edge> aligned_edges;
-  double extent = 0; // of the coordinates of all cells of the mesh
+  double extent = 0; // coordinates of all cells of the mesh
 
   std::size_t number_of_cells() const { return cell_names.size(); }
   std::size_t number_of_vertices() const { return vertex_names.size(); }
@@ -130,7 +130,7 @@ struct Flat_volume
 
   Facet_sides sides(const Corner_index facet) const { return sides(facet, coordinates); }
 
-  // The same for other coordinates.
+  // The sides with other coordinates.
   Facet_sides sides(const Corner_index facet, const std::vector<Uvw>& u) const
   {
     Facet_sides result;
@@ -190,7 +190,7 @@ public:
   }
 
   Corner_index facet() const { return m_facet; }
-  Corner_index third() const { return m_third; } // of the facet: the corner opposite to the edge
+  Corner_index third() const { return m_third; } // the corner of the facet opposite to the edge
   bool is_closed() const { return m_facet == m_start || m_facet == m_start_other; }
 
 private:

@@ -216,7 +216,7 @@ public:
   }
 
 private:
-  using Weights = std::array<double, 6>; // of the edges of a cell
+  using Weights = std::array<double, 6>; // per edge of a cell
 
   // Each sector of a member counts once.
   void move_near(const Volume_sectors& sectors)

@@ -50,7 +50,7 @@ public:
     for(; std::size_t(m_parent[root.index]) != root.index;
         root.index = std::size_t(m_parent[root.index]))
       root.sign *= m_sign[root.index];
-    int sign = root.sign; // of i against the root
+    int sign = root.sign; // i against the root
     for(std::size_t j = i; j != root.index;) { // shortens the paths
       const std::size_t next = std::size_t(m_parent[j]);
       const int next_sign = sign * m_sign[j];

@@ -104,7 +104,7 @@ private:
   }
 
   const std::vector<std::int32_t>& m_vertices;
-  Lists<Corner_index> m_buckets; // of facets, per vertex
+  Lists<Corner_index> m_buckets; // facets per vertex
 };
 
 // 32 bytes a cell. Invariants: there are at most four times as many vertices as cells; where

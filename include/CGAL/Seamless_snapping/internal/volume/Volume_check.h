@@ -246,7 +246,7 @@ inline double translation_distance(const Flat_volume& volume, const Corner_index
   return result;
 }
 
-// That of a constant coordinate of an aligned edge.
+// The distance of an aligned edge from an integer line.
 inline double line_distance(const Flat_volume& volume, const std::size_t i,
                             const Volume_alignment& alignment, const std::vector<Uvw>& u)
 {

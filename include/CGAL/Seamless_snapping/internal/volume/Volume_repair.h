@@ -112,7 +112,7 @@ private:
       return;
     const Place_freedom& freedom = m_members->freedom(member);
     std::vector<std::size_t> directions;
-    for(std::size_t c = 0; c < 3; ++c) // those without constraints also off the grid
+    for(std::size_t c = 0; c < 3; ++c) // places without constraints also off the grid
       if(freedom.first[c] == int(c) &&
          (!place.is_constrained() || m_solver.moves(3 * place.first_slot + c)))
         directions.push_back(c);

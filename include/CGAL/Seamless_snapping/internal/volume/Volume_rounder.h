@@ -171,7 +171,7 @@ struct Volume_structure
   Volume_transitions transitions;
   Volume_alignment alignment;
   Volume_sectors sectors;
-  Volume_charts charts; // those of the input
+  Volume_charts charts; // charts of the input
   Volume_places places;
   Volume_members members;
 

@@ -263,7 +263,7 @@ private:
     }
   }
 
-  // Those of the border are there already if it is aligned.
+  // Adds a facet, unless it is one of an aligned border and there already.
   void add_aligned_facet(const Corner_index facet)
   {
     if(!std::binary_search(m_aligned_facets.begin(), m_aligned_facets.end(), facet))

@@ -66,7 +66,7 @@ inline std::vector<signed char> elements_of_facets(const Flat_volume& volume,
   return result;
 }
 
-// Of what vertices have, the largest at those of a facet.
+// The largest value at the vertices of a facet.
 inline double largest_at(const Flat_volume& volume, const std::vector<double>& noise,
                          const Corner_index facet)
 {
@@ -99,8 +99,8 @@ std::vector<std::size_t> decide_by_surroundings(std::vector<std::size_t> undecid
   }
 }
 
-// Of the choices whose misfit is allowed, the one that most edges of a facet ask for, and of such
-// ones that which fits best; none if no edge tells.
+// The choice with an allowed misfit that most edges of a facet ask for; among several, the one that
+// fits best; none if no edge decides.
 // \param wanted_at_edge(third) what the edge opposite to a corner asks for, if it does
 template <int number_of_choices, typename Wanted_at_edge, typename Misfit>
 std::optional<int> most_wanted(const Corner_index facet, const Wanted_at_edge& wanted_at_edge,

@@ -185,7 +185,7 @@ private:
     Vector slope;      // g
     Vector volume_slope;
     double volume;     // against that of the rest shape
-    std::array<Vector, 3> directions; // of the corner, per unknown of the member
+    std::array<Vector, 3> directions; // moves of the corner, per unknown of the member
   };
 
   // Returns whether the vertex has moved.
@@ -271,7 +271,7 @@ private:
     Matrix regular;
     regular << 1, 1, 0,
                1, 0, 1,
-               0, 1, 1; // of negative orientation
+               0, 1, 1; // a cell of negative orientation
     return -(size > 0 ? size : m_volume.extent * 1e-3) / regular.norm() * regular;
   }
 
@@ -299,7 +299,7 @@ private:
     return result;
   }
 
-  // Of cells that have positive volume.
+  // Whether cells that have positive volume keep it.
   static bool keeps_volumes(const std::vector<Star_cell>& star, const Vector& z)
   {
     for(const Star_cell& c : star)

@@ -127,7 +127,7 @@ public:
   }
 
 private:
-  struct Largest_change // of a coordinate
+  struct Largest_change // largest change of a coordinate
   {
     double size = 0;
     std::size_t corner = 0;
@@ -240,7 +240,7 @@ private:
     return result;
   }
 
-  // The same per coordinate of a slot.
+  // Whether a column is inexact, per coordinate of a slot.
   std::vector<char> inexact_columns(const std::vector<char>& is_inexact,
                                     const Volume_charts& charts, const Volume_sectors& sectors,
                                     const Volume_places& places) const
