@@ -1,6 +1,6 @@
 // Tests of patches: each is a rectangle of quads, each quad is in one, and they are those of the
 // motorcycle graph, which is made by exact numbers, where each quad is a unit square. How quads are
-// shaped. And which features are noise.
+// shaped. And which sharp edges are features, and which features are noise.
 
 #include <CGAL/Quad_remeshing/measure_quad_shapes.h>
 #include <CGAL/Quad_remeshing/quad_patches.h>
@@ -8,6 +8,7 @@
 
 #include "Polyhedron_copy.h"
 #include "checking.h"
+#include "feature_detection_checks.h"
 #include "quad_reference.h"
 #include "random_numbers.h"
 #include "test_surfaces.h"
@@ -661,5 +662,6 @@ int main()
   test_number_removed();
   test_slivers();
   test_tips_of_faces();
+  feature_detection_checks::test_all();
   return report_checks();
 }

@@ -26,7 +26,6 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/squared_distance_3.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -222,6 +221,7 @@ features are a net without free ends, and stay. Smooth such a surface first, or 
 Linear in the size of the mesh, plus a pass over the features for each round. The number of rounds
 is at most the number of chains, and small in practice.
 
+\sa `detect_features()`
 \sa `quad_remesh()`
 */
 template <typename TriangleMesh, typename EdgeIsConstrainedMap,
@@ -242,21 +242,9 @@ std::size_t remove_feature_noise(const TriangleMesh& tmesh, EdgeIsConstrainedMap
     if(!CGAL::is_border(e, tmesh) && get(is_feature, e))
       features_before.push_back(e);
   internal::Sliver_sides(tmesh, is_feature, point_map, length / 3).remove();
-  std::vector<char> is_on_border(num_vertices(tmesh), false);
   std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> features;
-  std::vector<internal::Feature_net::Edge> edges_of_net;
-  for(const auto e : edges(tmesh)) {
-    const auto v = source(e, tmesh), w = target(e, tmesh);
-    const std::size_t i = get(index_map, v), j = get(index_map, w);
-    if(CGAL::is_border(e, tmesh))
-      is_on_border[i] = is_on_border[j] = true;
-    else if(get(is_feature, e)) {
-      features.push_back(e);
-      edges_of_net.push_back({{i, j}, std::sqrt(CGAL::to_double(CGAL::squared_distance(
-                                        get(point_map, v), get(point_map, w))))});
-    }
-  }
-  internal::Feature_net net(std::move(edges_of_net), std::move(is_on_border));
+  internal::Feature_net net =
+    internal::feature_net(tmesh, is_feature, point_map, index_map, features);
   net.remove_noise(length);
   for(std::size_t i = 0; i < features.size(); ++i)
     if(!net.edge(i).is_kept)

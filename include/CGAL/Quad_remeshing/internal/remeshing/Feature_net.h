@@ -17,6 +17,11 @@
 
 // The feature edges of a mesh as a net, and which of them are noise.
 
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <boost/graph/graph_traits.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <array>
@@ -46,6 +51,16 @@ public:
     : m_edges(std::move(edges)), m_is_on_border(std::move(is_on_border)) { }
 
   const Edge& edge(const std::size_t i) const { return m_edges[i]; }
+
+  // For each edge, the length of its chain.
+  std::vector<double> chain_lengths() const
+  {
+    std::vector<double> result(m_edges.size(), 0);
+    for(const Chain& chain : make_chains())
+      for(const std::size_t e : chain.edges)
+        result[e] = chain.length;
+    return result;
+  }
 
   // Removes chains that lead nowhere and are shorter. Where these were much of the net, and many of
   // the others are short, too, these are noise as well: the net of a scan has meshes. Of a few
@@ -154,6 +169,31 @@ private:
   std::vector<Edge> m_edges;
   std::vector<char> m_is_on_border;
 };
+
+// The net of the feature edges of a mesh inside.
+// \param features receives the edge of the mesh for each edge of the net
+template <typename TriangleMesh, typename EdgeIsFeatureMap, typename VertexPointMap,
+          typename VertexIndexMap>
+Feature_net feature_net(const TriangleMesh& mesh, const EdgeIsFeatureMap& is_feature,
+                        const VertexPointMap& point_map, const VertexIndexMap& index_map,
+                        std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor>&
+                          features)
+{
+  std::vector<char> is_on_border(num_vertices(mesh), false);
+  std::vector<Feature_net::Edge> edges_of_net;
+  for(const auto e : edges(mesh)) {
+    const auto v = source(e, mesh), w = target(e, mesh);
+    const std::size_t i = get(index_map, v), j = get(index_map, w);
+    if(CGAL::is_border(e, mesh))
+      is_on_border[i] = is_on_border[j] = true;
+    else if(get(is_feature, e)) {
+      features.push_back(e);
+      edges_of_net.push_back({{i, j}, std::sqrt(CGAL::to_double(CGAL::squared_distance(
+                                        get(point_map, v), get(point_map, w))))});
+    }
+  }
+  return Feature_net(std::move(edges_of_net), std::move(is_on_border));
+}
 
 } // namespace internal
 } // namespace Quad_remeshing
