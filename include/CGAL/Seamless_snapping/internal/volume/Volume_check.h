@@ -90,7 +90,7 @@ public:
     return std::move(m_result);
   }
 
-  // Of all edges; an edge counts for each part of the mesh that touches it.
+  // The number of all edges; an edge counts for each part of the mesh that touches it.
   std::size_t number_of_edges() const { return m_number_of_edges; }
 
 private:
