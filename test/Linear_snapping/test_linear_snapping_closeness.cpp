@@ -475,6 +475,24 @@ Planted_problem beside_powers_of_two(Random& random)
   return p;
 }
 
+// Sums and differences of values that share no digit.
+Planted_problem all_scales(Random& random, const int most_unknowns)
+{
+  const int n = random_integer(random, 3, most_unknowns), m = random_integer(random, 1, 2 * n / 3);
+  Values solution;
+  for(int j = 0; j < n; ++j)
+    solution.push_back(std::ldexp(random_real(random), random_integer(random, -300, 300)));
+  Planted_problem p = planted_problem(solution);
+  for(int i = 0; i < m; ++i) {
+    std::map<std::size_t, Rational> row;
+    for(int k = random_integer(random, 1, 4); k > 0; --k)
+      row[std::size_t(random_integer(random, 0, n - 1))] = random() % 2 == 0 ? 1 : -1;
+    p.add_row({row.begin(), row.end()});
+  }
+  p.add_noise(random);
+  return p;
+}
+
 double distance(const Values& a, const Values& b)
 {
   double result = 0;
@@ -520,6 +538,42 @@ void test_planted_problems(const std::uint64_t count, const std::uint64_t seed)
                         [](Random& random) { return mixed_scales(random, 40); }, count, seed);
   test_planted_problems("multiples", multiples, count, seed);
   test_planted_problems("beside powers of two", beside_powers_of_two, count, seed);
+  test_planted_problems("few values of all scales",
+                        [](Random& random) { return all_scales(random, 8); }, count, seed);
+  test_planted_problems("many values of all scales",
+                        [](Random& random) { return all_scales(random, 40); }, count / 10, seed);
+}
+
+// Where one change takes all digits of a small value: the solution that is known is 2e-27 away.
+void test_small_value_beside_large_ones()
+{
+  const Values solution{1.0414309314381706e-20, -9.846746568305923e+25, -6.7192498847280044e-15,
+                        -5.8365732994387437e+20};
+  Planted_problem p = planted_problem(solution);
+  p.add_row({{2, -1}, {1, 1}, {0, -1}, {3, 1}});
+  p.add_row({{1, -1}});
+  Values x{1.0414309314373119e-20, -9.846746568305923e+25, -6.7192498847332574e-15,
+           -5.8365732994387437e+20};
+  const Values before(x);
+  snap("small values beside large ones", p.constraints, x);
+  CHECK(distance(x, before) <= 2 * distance(solution, before));
+}
+
+// Values of which only the right-hand sides are large: squares of the rest underflow, and a
+// reduction of the rows found no end.
+void test_rows_with_large_right_hand_sides()
+{
+  Constraints c(6);
+  c.add_constraint({{0, 1}, {4, 1}, {5, 1}, {2, 1}}, 8358256617533179. / 128);
+  c.add_constraint({{3, 1}, {0, -1}, {2, 1}, {1, -1}}, std::ldexp(957869471782607., -172));
+  c.add_constraint({{3, 1}, {1, -1}, {4, 1}}, std::ldexp(4235251833531049., -691));
+  c.add_constraint({{5, -1}}, std::ldexp(5347132160005573., -456));
+  const Values before{-0x1.abdbc352059d5p+76, -0x1.935e6842d6594p-340, -0x1.2beb8602d0382p-384,
+                      -0x1.19659ce310dabp+162, -0x1.2c40508ce7829p+512, 0x1.d06a6ab7bba5ep-69};
+  Values x(before);
+  const LS::Linear_report report = LS::snap_to_linear_constraints(c, x);
+  CHECK_EQUAL(report.status, LS::Outcome::NOT_REPRESENTABLE);
+  CHECK(x == before);
 }
 
 // --- figures -------------------------------------------------------------------------------------
@@ -596,6 +650,8 @@ int main(int argc, char** argv)
   test_planted_problems(count, seed);
   if(argc > 1)
     return report_checks();
+  test_small_value_beside_large_ones();
+  test_rows_with_large_right_hand_sides();
   test_large_figures();
   test_told_distances();
   test_meaningless_results();

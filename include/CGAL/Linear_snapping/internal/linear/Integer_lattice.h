@@ -55,8 +55,10 @@ public:
   using Vector = Entries<Exact_integer>;
 
   // \pre the vectors are linearly independent, the weights positive
-  Lattice_metric(const std::vector<Vector>& basis, const std::vector<double>& weights)
-    : m_scale(weights.size()), m_frame(0, 0)
+  // \param most_work multiplications of words, after which the basis is left as it is
+  Lattice_metric(const std::vector<Vector>& basis, const std::vector<double>& weights,
+                 const double most_work)
+    : m_scale(weights.size()), m_frame(0, 0), m_work_left(most_work)
   {
     for(std::size_t i = 0; i < weights.size(); ++i)
       m_scale[i] = std::sqrt(weights[i]);
@@ -68,6 +70,7 @@ public:
   }
 
   const std::vector<Vector>& basis() const { return m_basis; }
+  double work_left() const { return m_work_left; }
 
   // Adds a lattice vector to `point` such that it comes close to the target: the nearest plane
   // algorithm. Coefficients have 53 bits, so large differences take several rounds.
@@ -80,8 +83,9 @@ public:
       difference[i] = Exact_integer(from_64_bits<Exact_integer>(target[i].base) - point[i]);
     long smallest_exponent = (std::numeric_limits<long>::max)();
     std::vector<double> row;
+    double words = 0; // not counted: few rows
     for(int rounds_left = 3; rounds_left > 0; --rounds_left) {
-      const long exponent = to_scaled_row(difference, m_scale, row);
+      const long exponent = to_scaled_row(difference, m_scale, row, words);
       for(std::size_t i = 0; i < row.size(); ++i)
         row[i] += scaled_by_power(target[i].offset, -exponent) * m_scale[i];
       if(exponent < smallest_exponent) {
@@ -117,7 +121,9 @@ private:
   template <typename Integer>
   void reduce(std::vector<std::vector<Integer> > vectors)
   {
-    m_frame = std::move(Lattice_reduction<Integer>(vectors, m_scale).frame());
+    Lattice_reduction<Integer> reduction(vectors, m_scale, m_work_left);
+    m_work_left -= reduction.work();
+    m_frame = std::move(reduction.frame());
     m_basis.clear();
     for(const std::vector<Integer>& v : vectors) {
       Vector sparse;
@@ -154,6 +160,7 @@ private:
 
   std::vector<double> m_scale; // square roots of the weights
   Orthogonal_frame m_frame;
+  double m_work_left;
   std::vector<Vector> m_basis;
 };
 
@@ -208,6 +215,7 @@ public:
 
   std::size_t number_of_columns() const { return m_number_of_columns; }
   std::size_t number_of_rows() const { return m_rows.size(); }
+  double work_left() const { return m_work_left; } // of that which was allowed
   std::size_t rank() const { return number_of_columns() - m_basis.size(); }
 
   // Rows that all others depend on over the rational numbers.
@@ -234,10 +242,11 @@ public:
   const std::vector<Vector>& kernel_basis() const { return m_basis; }
 
   // \pre one positive weight per column
-  Lattice_metric metric(const std::vector<double>& weights) const
+  Lattice_metric metric(const std::vector<double>& weights,
+                        const double most_work = Lattice_reduction<Exact_integer>::usual_work) const
   {
     CGAL_precondition(weights.size() == number_of_columns());
-    return Lattice_metric(m_basis, weights);
+    return Lattice_metric(m_basis, weights, most_work);
   }
 
   Lattice_solution some_solution(const std::vector<Exact_integer>& right_hand_side) const
@@ -395,6 +404,7 @@ private:
   }
 
   std::size_t m_number_of_columns;
+  double m_work_left = 0;
   std::vector<Entries<Exact_integer> > m_rows;
   std::vector<Echelon_step<Exact_integer> > m_steps;
   std::vector<Vector> m_basis;
@@ -405,6 +415,7 @@ template <typename Integer>
 void Integer_lattice::take_kernel(const Integer_system& system, const double most_work)
 {
   Kernel_lattice<Integer> kernel(system, most_work);
+  m_work_left = kernel.work_left();
   m_steps.clear();
   m_basis.clear();
   for(const Echelon_step<Integer>& step : kernel.steps())

@@ -88,7 +88,8 @@ public:
   using Vector = Entries<Integer>;
   using Step = Echelon_step<Integer>;
 
-  // \param most_work multiplications of reductions, which cost most; more throw `Work_exceeded`
+  // \param most_work multiplications of words in reductions, which cost most; more throw
+  //        `Work_exceeded`
   // \pre 64-bit integers are for systems that have no others
   Kernel_lattice(const Integer_system& system, const double most_work)
     : m_work_left(most_work),
@@ -118,6 +119,7 @@ public:
   // In the order in which rows were treated.
   std::vector<Step>& steps() { return m_steps; }
   std::vector<Vector>& basis() { return m_vectors; }
+  double work_left() const { return m_work_left; }
 
 private:
   struct Image { std::size_t vector; Integer value; double size; };

@@ -85,34 +85,45 @@ inline bool small_violation(const Integer_system& system, const std::size_t row,
   return true;
 }
 
+// A value in units of 2^exponent, without rounding.
+// \pre `exponent` is at most 0 and that of the last bit of the offset
+inline Exact_integer in_units(const Grid_value& value, const int exponent)
+{
+  Exact_integer result = product(Exact_integer(value.base), power_of_two(std::size_t(-exponent)));
+  if(value.offset != 0) {
+    const int last_bit = (std::max)(std::ilogb(value.offset) - 52, exponent);
+    result += product(Exact_integer(std::ldexp(value.offset, -last_bit)),
+                      power_of_two(std::size_t(last_bit - exponent)));
+  }
+  return result;
+}
+
 // C (base + offset) - b 2^right_hand_shift for one row, divided by 2^row_exponent: exact in the
-// bases, so that violations below one ulp of the values are still seen.
+// bases, so that violations below one ulp of the values are still seen. If right-hand sides lie
+// between grid points, it is exact in the offsets, too: small values beside large ones count.
 inline double row_violation(const Integer_system& system, const std::size_t row,
                             const int right_hand_shift, const std::vector<Grid_value>& values)
 {
-  double offset = 0;
-  if(system.is_small(row)) {
+  std::int64_t small_sum = 0;
+  if(small_violation(system, row, right_hand_shift, values, small_sum)) {
+    double offset = 0;
     for(const Entry<std::int64_t>& e : system.row(row))
       offset += static_cast<double>(e.coefficient) * values[std::size_t(e.column)].offset;
-    std::int64_t sum = 0;
-    if(small_violation(system, row, right_hand_shift, values, sum))
-      return static_cast<double>(sum) + offset;
+    return static_cast<double>(small_sum) + offset;
   }
-  // Where right-hand sides lie between grid points, both sides are taken to a finer grid.
-  const std::size_t up = std::size_t((std::max)(right_hand_shift, 0));
-  const std::size_t down = std::size_t((std::max)(-right_hand_shift, 0));
   const Integer_row<Exact_integer> exact = system.exact_row(row);
-  const long exponent = row_exponent(system, row);
+  int unit = (std::min)(right_hand_shift, 0); // its exponent, in steps of the grid
+  for(const Entry<Exact_integer>& e : exact.entries)
+    if(const double offset = values[std::size_t(e.column)].offset; !std::isfinite(offset))
+      return offset;
+    else if(offset != 0)
+      unit = (std::min)(unit, std::ilogb(offset) - 52);
   Exact_integer sum(0);
-  for(const Entry<Exact_integer>& e : exact.entries) {
-    const Grid_value& value = values[std::size_t(e.column)];
-    if(!system.is_small(row))
-      offset += divided_by_power(e.coefficient, exponent) * value.offset;
-    sum += product(e.coefficient, Exact_integer(value.base));
-  }
-  sum = difference(product(sum, power_of_two(down)),
-                   product(exact.right_hand_side, power_of_two(up)));
-  return divided_by_power(sum, exponent + static_cast<long>(down)) + offset;
+  for(const Entry<Exact_integer>& e : exact.entries)
+    sum += product(e.coefficient, in_units(values[std::size_t(e.column)], unit));
+  sum = difference(sum, product(exact.right_hand_side,
+                                power_of_two(std::size_t(right_hand_shift - unit))));
+  return divided_by_power(sum, row_exponent(system, row) - unit);
 }
 
 // Minimum degree on a matrix that is symmetric, which Eigen would make so once more.

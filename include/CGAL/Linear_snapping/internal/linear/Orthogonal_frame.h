@@ -29,11 +29,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
+
+// How many multiplications take as long as an operation on short `Exact_integer`s.
+constexpr long exact_operation = 100;
 
 // mantissa 2^exponent
 struct Scaled_double
@@ -71,29 +75,40 @@ inline double scaled_by_power(const double a, const long exponent)
   return std::ldexp(a, static_cast<int>((std::max)(-5000L, (std::min)(5000L, exponent))));
 }
 
-// Writes v, each component times its scale, as `row` 2^(returned exponent).
+// Writes v, each component times its scale, as `row` 2^(returned exponent). Adds to `words` those
+// of the components.
 inline long to_scaled_row(const std::vector<std::int64_t>& v, const std::vector<double>& scale,
-                          std::vector<double>& row)
+                          std::vector<double>& row, double& words)
 {
+  words += static_cast<double>(v.size());
   row.resize(v.size());
   for(std::size_t i = 0; i < v.size(); ++i)
     row[i] = static_cast<double>(v[i]) * scale[i];
   return 0;
 }
 
+// The largest component becomes about 1: where it had a large scale, or a component with the scale
+// 0 was larger, squares would underflow.
 inline long to_scaled_row(const std::vector<Exact_integer>& v, const std::vector<double>& scale,
-                          std::vector<double>& row)
+                          std::vector<double>& row, double& words)
 {
-  std::vector<Scaled_double> numbers(v.size());
-  long exponent = 0;
-  for(std::size_t i = 0; i < v.size(); ++i) {
-    numbers[i] = to_scaled_double(v[i]);
-    exponent = (std::max)(exponent, numbers[i].exponent);
-  }
   row.resize(v.size());
+  std::vector<long> exponents(v.size());
+  long largest = (std::numeric_limits<long>::min)();
+  for(std::size_t i = 0; i < v.size(); ++i) {
+    const Scaled_double number = to_scaled_double(v[i]);
+    words += static_cast<double>(exact_operation + number.exponent / 64);
+    int bits = 0;
+    row[i] = std::frexp(number.mantissa * scale[i], &bits);
+    exponents[i] = number.exponent + bits;
+    if(row[i] != 0)
+      largest = (std::max)(largest, exponents[i]);
+  }
+  if(largest == (std::numeric_limits<long>::min)())
+    return 0;
   for(std::size_t i = 0; i < v.size(); ++i)
-    row[i] = scaled_by_power(numbers[i].mantissa, numbers[i].exponent - exponent) * scale[i];
-  return exponent;
+    row[i] = scaled_by_power(row[i], exponents[i] - largest);
+  return largest;
 }
 
 // Several partial sums: they keep the processor busy, and the rounding error small.
@@ -107,6 +122,18 @@ inline double inner_product(const double* a, const double* b, const std::size_t 
   for(; i < n; ++i)
     s[0] += a[i] * b[i];
   return (s[0] + s[1]) + (s[2] + s[3]);
+}
+
+// The square root of the sum of squares, also where these underflow.
+inline double length(const double* a, const std::size_t n)
+{
+  const double squares = inner_product(a, a, n);
+  if(squares > 1e-280)
+    return std::sqrt(squares);
+  double result = 0;
+  for(std::size_t i = 0; i < n; ++i)
+    result = std::hypot(result, a[i]);
+  return result;
 }
 
 inline void subtract_multiple(double* a, const double factor, const double* b, const std::size_t n)
@@ -136,11 +163,11 @@ public:
     std::copy(f.begin(), f.end(), rest);
     std::fill(r(k), r(k) + k, 0.);
     project(k, rest, r(k));
-    const double length = std::sqrt(inner_product(rest, rest, m_dimension));
-    r(k)[k] = length;
-    if(length > 0)
+    const double size = length(rest, m_dimension);
+    r(k)[k] = size;
+    if(size > 0)
       for(std::size_t i = 0; i < m_dimension; ++i)
-        rest[i] /= length;
+        rest[i] /= size;
   }
 
   // Splits v into sum_{j < k} c_j q_j, where c is added to `coefficients`, and an orthogonal rest

@@ -95,8 +95,13 @@ class Lattice_reduction
 public:
   using Vector = std::vector<Integer>;
 
-  Lattice_reduction(std::vector<Vector>& basis, const std::vector<double>& scale)
-    : m_basis(basis), m_scale(scale), m_frame(basis.size(), scale.size())
+  static constexpr double usual_work = 1e10; // multiplications of words: some seconds
+
+  // \param most_work after which the basis is left as it is
+  Lattice_reduction(std::vector<Vector>& basis, const std::vector<double>& scale,
+                    const double most_work = usual_work)
+    : m_basis(basis), m_scale(scale), m_frame(basis.size(), scale.size()),
+      m_words(basis.size(), 0.)
   {
     // Rotations add up errors: what seems reduced is looked at afresh.
     std::size_t insertions = 0, insertions_before = 0;
@@ -122,19 +127,19 @@ public:
 
   // The frame of the reduced basis.
   Orthogonal_frame& frame() { return m_frame; }
-  double work() const { return m_work; } // multiplications
+  double work() const { return m_work; } // multiplications of words
 
 private:
-  static constexpr double most_work = 1e10; // multiplications: some seconds
   static constexpr double large_factor = 1024; // after which few correct digits are left
 
   // Rows of the frame behind k are outdated thereafter.
   void set_row(const std::size_t k)
   {
-    const long exponent = to_scaled_row(m_basis[k], m_scale, m_row);
+    m_words[k] = 0;
+    const long exponent = to_scaled_row(m_basis[k], m_scale, m_row, m_words[k]);
     m_frame.set_row(k, m_row, exponent);
     m_number_set = k + 1;
-    m_work += 4 * static_cast<double>(k + 1) * static_cast<double>(m_scale.size());
+    m_work += 4 * static_cast<double>(k + 1) * static_cast<double>(m_scale.size()) + m_words[k];
   }
 
   // Moves vector k to a place before.
@@ -143,6 +148,7 @@ private:
     bool is_accurate = true;
     for(; k > position; --k) {
       std::swap(m_basis[k - 1], m_basis[k]);
+      std::swap(m_words[k - 1], m_words[k]);
       // a rotation is as uncertain as the short row that defines it
       const double length = scaled_by_power(m_frame.length_in_plane(k),
                                             m_frame.exponent(k) - m_frame.exponent(k - 1));
@@ -189,6 +195,7 @@ private:
       return 0;
     const Scaled_double factor = nearest_integer(row[j] / other[j], exponent);
     subtract_multiple(m_basis[k], factor, m_basis[j]);
+    m_work += m_words[j] * static_cast<double>(1 + factor.exponent / 64);
     subtract_multiple(row, scaled_by_power(factor.mantissa, factor.exponent - exponent), other,
                       j + 1);
     return scaled_by_power(std::abs(factor.mantissa), factor.exponent);
@@ -200,12 +207,12 @@ private:
   {
     const double* const row = m_frame.r(k);
     const long exponent = m_frame.exponent(k);
-    double rest = row[k] * row[k];
+    double rest = std::abs(row[k]);
     for(; k > 0; --k) {
-      rest += row[k - 1] * row[k - 1];
+      rest = std::hypot(rest, row[k - 1]); // squares would underflow
       if(rest == 0)
         break; // nothing is left after rounding: this could go on forever
-      const double ratio = std::sqrt(rest) / m_frame.r(k - 1)[k - 1];
+      const double ratio = rest / m_frame.r(k - 1)[k - 1];
       if(!(scaled_by_power(ratio, exponent - m_frame.exponent(k - 1)) < 0.995))
         break;
     }
@@ -215,6 +222,7 @@ private:
   std::vector<Vector>& m_basis;
   const std::vector<double>& m_scale;
   Orthogonal_frame m_frame;
+  std::vector<double> m_words; // of each vector, when its row was set last
   double m_work = 0;
   std::size_t m_number_set = 0; // rows of the frame that are up to date
   std::vector<double> m_row; // scratch

@@ -37,12 +37,32 @@ namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
 
+// Weights times 2^exponents, all times the same power of two. Their range is that of the squares of
+// values within 2^(+-400).
+inline std::vector<double> times_powers_of_two(const std::vector<double>& weights,
+                                               const std::vector<long>& exponents)
+{
+  constexpr long largest_exponent = 800; // squares of 64-bit integers times roots do not overflow
+  long largest = (std::numeric_limits<long>::min)();
+  for(std::size_t j = 0; j < weights.size(); ++j)
+    largest = (std::max)(largest, std::ilogb(weights[j]) + exponents[j]);
+  std::vector<double> result;
+  for(std::size_t j = 0; j < weights.size(); ++j) {
+    const int bits = std::ilogb(weights[j]);
+    const long exponent =
+      (std::max)(largest_exponent + bits + exponents[j] - largest, -largest_exponent);
+    result.push_back(std::ldexp(weights[j], static_cast<int>(exponent) - bits));
+  }
+  return result;
+}
+
 // Invariant: each unknown is to be an integer of at most p bits, times the step of its grid, near
 // its target there.
 class Many_grids_solver
 {
 public:
   static constexpr std::size_t most_columns = 200;
+  static constexpr double most_work = 1e10; // multiplications of words: some seconds
 
   // \param target real values that solve the system
   Many_grids_solver(const Integer_system& system, const std::vector<double>& weights,
@@ -59,16 +79,19 @@ public:
   // Where no integers do, or too large ones only, a grid becomes finer or coarser, or a target
   // smaller, and all are looked for again. Returns false if that doesn't lead to a solution soon.
   bool solve()
-  {
+  try {
     constexpr int most_rounds = 12;
+    double work_left = most_work;
     for(int round = 0; round < most_rounds; ++round) {
       const Scaled_rows rows = scaled_rows();
-      const Integer_lattice lattice(rows.system);
+      const Integer_lattice lattice(rows.system, work_left);
+      const Lattice_metric metric = lattice.metric(scaled_weights(), lattice.work_left());
+      work_left = metric.work_left();
       std::vector<Grid_value> targets;
       for(const Column& column : m_columns)
         targets.push_back(column.target);
       Lattice_solution found =
-        lattice.nearest_solution(rows.right_hand_side, targets, scaled_weights());
+        lattice.nearest_solution(rows.right_hand_side, targets, metric);
       if(found.solvability != Solvability::SOLVABLE) {
         if(!found.is_dyadic || !refine_one(found.certificate.multipliers, rows))
           return false;
@@ -79,6 +102,8 @@ public:
         return false;
       }
     }
+    return false;
+  } catch(const Work_exceeded&) {
     return false;
   }
 
@@ -139,14 +164,14 @@ private:
   std::vector<double> scaled_weights() const
   {
     constexpr double heavy = 0x1p40;
-    int coarsest = (std::numeric_limits<int>::min)();
+    std::vector<long> exponents;
     for(const Column& column : m_columns)
-      coarsest = (std::max)(coarsest, column.exponent);
-    std::vector<double> result;
-    for(std::size_t j = 0; j < m_columns.size(); ++j) {
-      const int shift = (std::max)(2 * (m_columns[j].exponent - coarsest), -400);
-      result.push_back(m_columns[j].is_held ? heavy : std::ldexp(m_weights[j], shift));
-    }
+      exponents.push_back(2L * column.exponent);
+    std::vector<double> result = times_powers_of_two(m_weights, exponents);
+    const double largest = *std::max_element(result.begin(), result.end());
+    for(std::size_t j = 0; j < m_columns.size(); ++j)
+      if(m_columns[j].is_held)
+        result[j] = heavy * largest;
     return result;
   }
 
@@ -244,16 +269,14 @@ private:
 inline std::vector<double> relative_weights(const std::vector<double>& weights,
                                             const std::vector<Grid_value>& values)
 {
-  std::vector<int> exponents;
+  int smallest = (std::numeric_limits<int>::max)();
   for(const Grid_value& v : values)
-    exponents.push_back(to_double(v) == 0 ? (std::numeric_limits<int>::max)()
-                                          : std::ilogb(to_double(v)));
-  const int smallest = *std::min_element(exponents.begin(), exponents.end());
-  std::vector<double> result(weights);
-  for(std::size_t j = 0; j < values.size(); ++j)
-    if(to_double(values[j]) != 0)
-      result[j] = std::ldexp(weights[j], (std::max)(2 * (smallest - exponents[j]), -400));
-  return result;
+    if(to_double(v) != 0)
+      smallest = (std::min)(smallest, std::ilogb(to_double(v)));
+  std::vector<long> exponents;
+  for(const Grid_value& v : values)
+    exponents.push_back(-2L * (to_double(v) == 0 ? smallest : std::ilogb(to_double(v))));
+  return times_powers_of_two(weights, exponents);
 }
 
 // Solves a component on a grid for each of its columns: near its optimum and near that of relative
