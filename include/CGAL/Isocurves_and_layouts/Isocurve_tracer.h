@@ -168,7 +168,7 @@ class Isocurve_segment;
 
 namespace internal {
 
-// Of isocurves, for the rotational symmetry that named parameters ask for.
+// The number of directions of isocurves, for the rotational symmetry of the named parameters.
 template <typename NamedParameters>
 constexpr int number_of_directions =
   Symmetry_group<Plain_parameters<NamedParameters> >::order;

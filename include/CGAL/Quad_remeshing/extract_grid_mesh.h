@@ -231,7 +231,7 @@ Extraction_report extract_quad_soup(const TriangleMesh& tmesh, HalfedgeUVMap uv_
 
 namespace internal {
 
-// The same parameters; and symmetry 6, unless another one is given.
+// Adds symmetry 6 to the parameters, unless they have one.
 template <typename NamedParameters>
 auto with_six_directions(const NamedParameters& np)
 {

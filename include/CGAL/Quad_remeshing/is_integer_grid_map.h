@@ -118,7 +118,7 @@ std::size_t number_of_border_edges_off_grid(Basic_chart_mesh<Group> mesh)
   return result;
 }
 
-// Of the component that changes less.
+// The distance of the component that changes less.
 template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typename Halfedge>
 double distance_to_grid_line(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map, Halfedge h)
 {

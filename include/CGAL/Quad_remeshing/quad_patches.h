@@ -188,7 +188,7 @@ template <typename QuadMesh, typename OutputIterator>
 OutputIterator vertices_of_patch(const Quad_patch<QuadMesh>& patch, const QuadMesh& mesh,
                                  OutputIterator out)
 {
-  // Of each row of quads the lower vertices, and of the last one then the upper ones.
+  // The lower vertices of each row of quads, and the upper ones of the last row.
   auto row = patch.corner;
   for(std::size_t j = 0; j <= patch.height; ++j) {
     const bool is_last = j == patch.height;

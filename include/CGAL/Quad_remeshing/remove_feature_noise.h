@@ -39,8 +39,8 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// Of two sides of a triangle that are features or border, and meet at a narrow angle, the shorter
-// one is no feature where it is close to the other: at the size of quads, they are one. A line that
+// If two sides of a triangle are features or border and meet at a narrow angle, the shorter one is
+// no feature if it is close to the other: at the size of quads, they are one. A line that
 // only makes a spike there takes the third side. Not so of triangles without area, of which one may
 // be the only feature between two faces that have one, and of the tip of a larger flat face, at a
 // corner of three features at most.

@@ -127,11 +127,11 @@ private:
                       int(std::lround(std::log2(number_of_quads / number_on_ladder(0)))));
   }
 
-  // Of opposite cones: there are quads between them at that number.
+  // The least distance of opposite cones: at that number, there are quads between them.
   double least_cone_distance(const int rung) const
   { return 2 * std::sqrt(m_run.area() / number_on_ladder(rung)); }
 
-  // Those with at most so many quads; of these, the fewest.
+  // Keeps the choices with at most so many quads, the fewest first.
   void keep_choices(const double most_quads)
   {
     const auto number = [](const State& s) { return s.quantization.number_of_quads; };

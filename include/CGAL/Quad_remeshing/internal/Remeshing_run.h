@@ -43,7 +43,7 @@ struct Remeshing_options
   std::size_t number_of_smoothing_rounds;
   bool has_single_precision; // the points of the quads
 
-  // Of quads; 0 where no lengths are wanted.
+  // The wanted number of quads; 0 if no lengths are wanted.
   double number_wanted() const
   {
     return quantization.is_coarsest || curvature_adaptivity > 1 ? 0.
@@ -94,7 +94,7 @@ struct Remeshing_run
     report.length_of_released_edges += surface.unscaled(surface.length(h));
   }
 
-  // Those that force quads. The map stays: only quads need not follow them.
+  // Releases the features that force quads. The map stays; only quads need not follow them.
   void release_features_of_quantization()
   {
     const Flat_numbering<Mesh> numbering(mesh());

@@ -75,8 +75,9 @@ public:
       change_points([&](const double x) { return m_run.surface.unscaled(x); });
   }
 
-  // Those within a number of edges of quads around the corners of inverted ones, or, without such,
-  // of thin ones. Returns whether there are any; the report counts them from here on.
+  // Releases the features within a number of edges around the corners of inverted quads, or, if
+  // there are none, of thin quads. Returns whether there are any; from here on, the report counts
+  // them.
   bool release_features_at_bad_quads(const double edges)
   {
     const double radius = edges * std::sqrt(m_run.area() / double(m_run.report.number_of_quads));
@@ -110,7 +111,7 @@ public:
 
   const Remeshing_report& report() const { return m_run.report; }
 
-  // Of quads that have been extracted already, in the size of the input.
+  // Moves the vertices of quads that have been extracted already, in the size of the input.
   Remeshing_report run_on_quads(const Quantization& quantization)
   {
     if(!check_lengths())
@@ -169,7 +170,7 @@ private:
     return true;
   }
 
-  // Of a half, as many as make a mesh with their mirror image.
+  // Makes quads; of a half, as many as form a mesh with their mirror image.
   bool make_quads()
   {
     constexpr int most_rounds = 12; // numbers of quads for one half of a mirrored mesh
@@ -193,9 +194,8 @@ private:
                   "the quads of one half meet their mirror images twice; ask for more quads");
   }
 
-  // Of the quantizations that were kept, the one whose quads are best before they are mended: all
-  // are shaped roughly, and the best two as usual. Of these, the second one is taken if the first
-  // has more inverted quads in the end.
+  // Takes the quantization whose quads are best before they are mended: all are shaped roughly, and
+  // the best two as usual. The second one is taken if the first has more inverted quads in the end.
   bool make_best_quads()
   {
     add_larger_numbers();

@@ -72,7 +72,7 @@ struct Basic_chart_mesh : Flat_mesh<Chart_corner>
 
   const Uv& uv(const Corner_index h) const { return corner(h).uv; }
 
-  // Of the coordinates of a corner; exactly, and rounded.
+  // A component of the coordinates of a corner, exactly and rounded.
   Component<Group> component(const Corner_index h, const std::size_t c) const
   { return internal::component<Group>(uv(h), c); }
   double rounded_component(const Corner_index h, const std::size_t c) const

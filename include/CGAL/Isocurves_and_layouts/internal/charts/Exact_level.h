@@ -60,7 +60,7 @@ public:
     return side != 0 ? side : compare(0, m_rest);
   }
 
-  // The same for a component that may need two numbers.
+  // The side of a component that may need two numbers.
   int side_of(const Exact_difference& component) const
   {
     if(m_rational != nullptr)

@@ -52,7 +52,7 @@ inline Direction quadrant(const Uv& a, const Uv& b)
   return Quarter_turns::element((x < 0 && y <= 0) ? 2 : 3);
 }
 
-// The same for the sectors between the directions of any group.
+// The sector between the directions of any group.
 template <typename Group>
 Direction sector(const Uv& a, const Uv& b)
 {
@@ -84,7 +84,7 @@ int directions_passed(const Uv& p, const Uv& q, const Uv& r)
   return passed < half ? passed : passed - Group::order;
 }
 
-// The same angle where the seams are not exact; the sum is then near to an integer only.
+// The angle if the seams are not exact; the sum is then close to an integer only.
 template <typename Group>
 double turns_between(const Uv& p, const Uv& q, const Uv& r)
 {

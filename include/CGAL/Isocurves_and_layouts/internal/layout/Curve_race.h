@@ -454,7 +454,7 @@ private:
     curve.last = position.segment;
   }
 
-  // The same meeting, found in another face.
+  // Whether both are one meeting, found in two faces.
   static bool is_same(const Meeting& a, const Meeting& b)
   {
     return a.first.curve == b.first.curve && a.second.curve == b.second.curve &&

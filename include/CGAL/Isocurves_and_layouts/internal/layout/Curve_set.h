@@ -272,7 +272,7 @@ private:
       m_curves.length_at_vertex(c, Segment_index(wall.segments.size() - 1)).doubled();
   }
 
-  // Those that begin at starts come first: what is left then is closed.
+  // Adds the borders that begin at starts first; the other borders are closed.
   void add_oblique_borders()
   {
     for(const bool is_closed : {false, true})

@@ -52,7 +52,7 @@ struct Layout_point
   std::int32_t degree = 0;       // the number of arcs
 };
 
-// Those ends of segments of a curve that an arc passes.
+// The ends of segments of a curve that an arc passes.
 struct Curve_piece
 {
   Curve_index curve;

@@ -194,7 +194,7 @@ public:
   std::int32_t number_on(const Corner_index h) const
   { return std::int32_t(m_points[m_mesh.edge_key(h)].size()); }
 
-  // Those of a halfedge are counted from 1, as 0 is its source.
+  // A point on a halfedge, counted from 1; 0 is the source.
   const Edge_point& at(const Corner_index h, const std::int32_t i) const
   {
     const Corner_index key = m_mesh.edge_key(h);

@@ -106,7 +106,7 @@ public:
   const Polygon_complex& cells() const { return m_cells; }
   const Face_point& point(const std::size_t v) const { return m_points[v]; }
   std::size_t patch_of_cell(const std::size_t c) const { return std::size_t(m_patches[c]); }
-  // Those of arc after arc.
+  // The steps, arc after arc.
   const std::vector<Arc_step>& steps() const { return m_steps; }
 
   bool is_on_arc(const std::size_t edge) const { return m_half_arcs[edge] != no_index; }
@@ -141,7 +141,7 @@ public:
   }
 
 private:
-  // Those of vertices, of nodes, and of all paths; returns the ones inside of edges.
+  // Adds the points of vertices, nodes, and paths; returns the points inside of edges.
   Points_on_edges add_points()
   {
     std::vector<Edge_point> on_edges;
@@ -235,7 +235,7 @@ private:
     return m_on_edges.at(h, i).point;
   }
 
-  // Those of the edges of the mesh, and those through faces.
+  // Adds the parts of edges of the mesh, and the edges through faces.
   void add_edges()
   {
     m_first_part.assign(m_mesh.corners.size(), no_index);
@@ -480,7 +480,7 @@ private:
   std::vector<std::pair<Patch_index, Patch_index> > m_joined;
   bool m_is_covered = false;
 
-  // Of the face that is being cut.
+  // The state of the face that is being cut.
   std::vector<Star> m_stars;
   std::vector<Local_dart> m_darts;
   std::vector<Corner_index> m_halfedges;      // per point of its border

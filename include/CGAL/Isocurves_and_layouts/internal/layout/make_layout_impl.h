@@ -170,7 +170,7 @@ private:
         count(patch_of_vertex[v], 1);
   }
 
-  // Of those that are cut: sums over the darts around their cells, each in the chart of its face.
+  // The areas of cut patches are sums over the darts around their cells, each in its face's chart.
   void measure_areas(const Refined_faces& faces, const std::vector<Patch_index>& patch_of_cell)
   {
     const auto cut_patch = [&](const std::int32_t dart) -> Layout_patch* {
@@ -236,8 +236,8 @@ private:
     return sum;
   }
 
-  // Of a cell complex that covers the surface, the Euler characteristic is that of the surface if
-  // and only if all rectangles are discs, as none of them has no border.
+  // A cell complex that covers the surface has the same Euler characteristic if and only if all
+  // rectangles are disks, because each of them has a border.
   bool has_right_euler_characteristic() const
   {
     std::ptrdiff_t expected = std::ptrdiff_t(m_mesh.number_of_vertices()) +

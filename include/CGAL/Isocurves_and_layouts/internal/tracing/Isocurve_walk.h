@@ -57,7 +57,7 @@ public:
   // Through the edge or vertex `state` that the curve is about to meet.
   void begin(const State& state) { m_state = state; }
 
-  // The same from a point of its face whose running coordinate is `start`.
+  // Begins at a point of its face whose running coordinate is `start`.
   void begin(const State& state, const double start)
   {
     m_state = state;

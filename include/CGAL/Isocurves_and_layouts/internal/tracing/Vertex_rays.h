@@ -114,7 +114,7 @@ Corner_index first_corner(const Basic_chart_mesh<Group>& mesh, const Corner_inde
   return c;
 }
 
-// Those of most vertices need no memory of their own.
+// The rays of a vertex; most vertices have so few that they need no memory of their own.
 using Vertex_rays = boost::container::small_vector<Vertex_ray, 8>;
 
 // Appends those that start at a corner, counterclockwise: directions follow each other, the first
@@ -212,7 +212,7 @@ std::size_t slot_of_arrival(const Basic_chart_mesh<Group>& mesh, const Walk_stat
                                   { return state.arrived_by(mesh, ray); }) - rays.begin());
 }
 
-// The same of all rays, where a segment ends.
+// Searches all rays at the end of a segment in the same way.
 template <typename Group, typename Segment>
 std::size_t slot_of_arrival(const Basic_chart_mesh<Group>& mesh, const Segment& segment,
                             const Direction direction)

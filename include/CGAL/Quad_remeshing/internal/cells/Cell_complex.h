@@ -88,7 +88,7 @@ public:
     cells.remove(is_left_out);
   }
 
-  // Those that were left out.
+  // The folded cells that were left out.
   const std::vector<Folded_cell>& folded_cells() const { return m_folded_cells; }
 
   // Whether there is no cell at the left of the dart, nor an edge in the place of a folded one.

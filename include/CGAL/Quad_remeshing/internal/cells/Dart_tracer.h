@@ -79,7 +79,7 @@ public:
     return walk([&](Walk& w) { return begin(w, state); });
   }
 
-  // The same for the dart that runs along a halfedge.
+  // Traces the dart that runs along a halfedge.
   Dart_index trace_along_edge(const Corner_index h, const Uv& end, const int direction)
   {
     State state;

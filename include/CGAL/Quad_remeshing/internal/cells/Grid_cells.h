@@ -191,7 +191,7 @@ public:
   std::size_t size() const { return m_points.size(); }
   std::size_t point(const std::size_t vertex) const { return std::size_t(m_points[vertex]); }
 
-  // That of the corner of the cell at the left of the dart.
+  // The vertex at the corner of the cell at the left of the dart.
   std::size_t vertex(const std::size_t d) const { return std::size_t(m_vertices[d]); }
 
 private:

@@ -99,7 +99,7 @@ public:
            arrive(Lattice_place::FACE, state.halfedge, state.direction);
   }
 
-  // The same for a walk along `edge` to the corner `vertex` of the same face.
+  // Whether a walk along `edge` to the corner `vertex` of its face ends before.
   bool ends_on_edge(const Corner_index edge, const Corner_index vertex,
                     const Direction direction) const
   {
@@ -108,7 +108,7 @@ public:
     return comes_before(vertex, direction) && arrive(Lattice_place::EDGE, edge, direction);
   }
 
-  // The same for a walk that leaves a vertex.
+  // Whether a walk that leaves a vertex ends on its first step.
   bool ends_on_first_step(const Vertex_ray& ray) const
   {
     const Corner_index c = ray.corner;

@@ -204,8 +204,8 @@ inline double distance_to_integer(const Exact_level& x)
   return std::abs(x.minus(Exact_level(std::round(x.approximation()))).approximation());
 }
 
-// Of some faces, in units and in floating point: their area, and how often lines of the grid cross
-// their edges, about.
+// The area of some faces, and about how often lines of the grid cross their edges; in units and in
+// floating point.
 struct Grid_size
 {
   double area = 0, crossings = 0;

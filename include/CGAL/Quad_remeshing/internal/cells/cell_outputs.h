@@ -121,7 +121,7 @@ bool is_face_graph(Cell_extractor<Group>& extractor, const Cell_vertices& vertic
       remedy + " call " + (is_square ? "extract_quad_soup()" : "extract_triangle_soup()"));
 }
 
-// Of the cells as they are about to be written. Triangles and other polygons are never counted.
+// Counts inverted quads before they are written. Triangles and other polygons do not count.
 template <typename Group>
 void count_inverted_quads(const Cell_vertices& vertices, const Places& places,
                           Cell_extractor<Group>& extractor)

@@ -69,7 +69,7 @@ public:
     return {m_faces[std::size_t(at.face)], {at.weights[2], at.weights[0], at.weights[1]}};
   }
 
-  // Of all points in space. They are computed concurrently only if coordinates are no objects that
+  // The places of all points in space, computed concurrently unless coordinates are objects that
   // threads may share.
   template <typename ConcurrencyTag>
   Places places(const Lattice_points& points) const

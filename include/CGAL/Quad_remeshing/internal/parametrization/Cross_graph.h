@@ -37,7 +37,7 @@ namespace parametrization {
 inline double dual_weight(const double length, const double sum_of_areas)
 { return 1.5 * length * length / sum_of_areas; }
 
-// The same for both sides, also where lengths differ.
+// The weight of an edge whose two sides may have different lengths.
 inline double dual_weight(const Triangle_surface& surface, const Corner_index h)
 {
   const Corner_index g = surface.opposite(h);

@@ -373,7 +373,7 @@ private:
     return stuck;
   }
 
-  // Those that the constraints give the same u, or the same v, at all corners.
+  // The faces with one u, or one v, at all corners by the constraints.
   std::vector<std::size_t> degenerate_faces() const
   {
     std::vector<std::size_t> result;

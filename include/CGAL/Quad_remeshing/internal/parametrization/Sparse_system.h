@@ -73,7 +73,7 @@ public:
     return m_sum;
   }
 
-  // Of each column: those of a block are near to each other in the order of elimination.
+  // The block of each column. Columns of a block are close together in the order of elimination.
   const std::vector<int>& blocks() const { return m_blocks; }
   void set_blocks(std::vector<int> blocks) { m_blocks = std::move(blocks); }
 
@@ -146,7 +146,7 @@ public:
   // \param lower_triangle which stays as it is until the last `solve()`
   virtual bool factor(Matrix_of_terms& lower_triangle) = 0;
   virtual bool solve(const std::vector<double>& right_hand_side, std::vector<double>& x) = 0;
-  // Of the last factorization; 0 where this is not known.
+  // The multiplications of the last factorization; 0 if they are not known.
   virtual double number_of_multiplications() { return 0; }
 };
 

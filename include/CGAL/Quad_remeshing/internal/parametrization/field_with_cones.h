@@ -296,7 +296,7 @@ public:
                 { return distance <= m_longest && may_follow(h); });
   }
 
-  // Of the path to a vertex that was visited last: calls `visit(halfedge)` for its halfedges, from
+  // Calls `visit(halfedge)` for the halfedges of the path to a vertex that was visited last, from
   // the end; each leads back to the vertex before.
   template <typename Visit>
   void for_each_edge_to(const std::size_t end, const Visit& visit) const

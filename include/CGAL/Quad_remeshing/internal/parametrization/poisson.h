@@ -51,7 +51,7 @@ inline std::array<double, 2> wanted_difference(const Triangle_surface& surface,
 using Columns = Eigen::SparseMatrix<double>;
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-// That of a.transpose() * b, a column at a time.
+// Adds the lower triangle of a.transpose() * b, a column at a time.
 inline void add_lower_triangle_of_product(const Columns& a, const Rows& b, Sparse_system& system)
 {
   std::vector<double> column(system.dimension(), 0);

@@ -84,7 +84,7 @@ public:
   }
 
 private:
-  // Of quads, around or from border to border.
+  // A strip of quads, which closes or leads from border to border.
   struct Strip
   {
     std::size_t point, dart;           // one dart across it, and where that begins
@@ -136,8 +136,8 @@ private:
     }
   }
 
-  // Those that mend most vertices for their length, until one is doubled for each vertex. Returns
-  // whether anything has changed.
+  // Doubles the strips that mend most vertices for their length, until one is doubled for each
+  // vertex. Returns whether anything has changed.
   bool double_strips(const Chart_mesh& mesh, const Cell_complex& quads, std::vector<Strip>& strips)
   {
     std::stable_sort(strips.begin(), strips.end(), [](const Strip& s, const Strip& t)

@@ -92,7 +92,7 @@ inline int cross_sign(const Grid_vector& a, const Grid_vector& b)
   return p == 0 && q == 0 ? 0 : int(CGAL::sign(exact_cross(a, b)));
 }
 
-// Of two vectors on a line through 0: whether they point to opposite sides.
+// Whether two vectors on a line through 0 point to opposite sides.
 inline bool are_opposite(const Grid_vector& a, const Grid_vector& b)
 {
   const std::size_t c = a[0] != 0 ? 0 : 1;
@@ -292,7 +292,7 @@ private:
     return turn != Quarter_turns::identity();
   }
 
-  // Of the translation across the halfedge, and of its target if that is fixed.
+  // The lowest bit of the translation across the halfedge, and of its target if it is fixed.
   int lowest_needed_bit(const Corner_index h) const
   {
     int bit = no_bit;

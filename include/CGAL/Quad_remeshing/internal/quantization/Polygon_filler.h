@@ -112,7 +112,7 @@ public:
     finish(faces.back());
   }
 
-  // The same for four sides, the diagonal of which cuts off the sides i and i + 1.
+  // Triangulates four sides by the diagonal that cuts off the sides i and i + 1.
   void fill(const std::size_t i, const Flat_face_index first, const Flat_face_index second)
   {
     cut_ear(i, first);
@@ -269,7 +269,7 @@ struct Edge_diamond
   double height_after() const { return (std::min)(height(db, bc), height(ca, ad)); }
 
 private:
-  // Of a triangle, from two of its sides.
+  // The index of a triangle, from two of its sides.
   static double index(const Grid_vector& a, const Grid_vector& b)
   {
     return 2 * (dot(a, a) + dot(a, b) + dot(b, b)) / approximate_cross(a, b);

@@ -92,7 +92,7 @@ private:
     });
   }
 
-  // Of left - right, where `size` is the sum of the magnitudes of the products of two or three
+  // The sign of left - right. `size` is the sum of the magnitudes of the products of two or three
   // numbers that these are sums of: none of them is rounded to 0.
   template <typename Difference>
   static int sign(const double left, const double right, const double size,

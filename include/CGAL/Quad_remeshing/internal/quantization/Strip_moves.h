@@ -71,12 +71,12 @@ public:
     }
   }
 
-  // Of all searches.
+  // The steps of all searches.
   std::size_t number_of_steps() const { return m_number_of_steps; }
 
   bool is_found() const { return m_searches[m_found].has_closed(); }
 
-  // Of the strip that was found: the sum of these costs.
+  // The length of the strip that was found: the sum of its costs.
   double length() const { return m_least_cost + m_searches[m_found].length(); }
 
   // As in Strip_search, for the strip that was found.
@@ -90,7 +90,7 @@ public:
   }
 
 private:
-  // Of strips that are not found yet: of two ways that go on, or one that does, and the border.
+  // A lower bound for strips that are not found yet: two ways that go on, or one and the border.
   double least_length() const
   {
     const auto& [there, back] = m_searches;
@@ -287,7 +287,7 @@ private:
     return std::int64_t((std::min)(most, std::ceil((first + least_gain) / (first - second))));
   }
 
-  // Those that have been changed; also all the way from what they were.
+  // Whether all changed faces are positive, now and during the change.
   bool are_faces_positive() const
   {
     for(const Change& c : m_changes) {
@@ -339,7 +339,7 @@ private:
     return best;
   }
 
-  // Of the face that the strip leaves and enters so.
+  // The change of a face that the strip enters and leaves.
   struct Change
   {
     Strip_state exit;

@@ -136,7 +136,7 @@ public:
 
   const Intrinsic_complex& complex() const { return m_complex; }
 
-  // Of a face that a strip enters over a halfedge, and leaves by a state.
+  // The edge that stays, of a face that a strip enters over a halfedge and leaves by a state.
   static Strip_state edge_that_stays(const Corner_index entry, const Strip_state exit)
   {
     const Corner_index next = Intrinsic_complex::next(entry);
@@ -145,10 +145,10 @@ public:
              : strip_state(next, exit % 4);
   }
 
-  // Of moving the corner once.
+  // The cost of moving the corner once.
   double cost(const Strip_state stay) const { return m_values[std::size_t(stay)].cost; }
 
-  // Of moving it so many times, which is quadratic.
+  // The cost of moving the corner several times, which is quadratic.
   double cost_of_moves(const Strip_state stay, const double times) const
   {
     const Corner_index h = halfedge_of(stay);
@@ -171,14 +171,14 @@ public:
     return result;
   }
 
-  // The same of both faces at an edge that changes.
+  // The least cost of both faces at an edge that changes.
   double least_cost_around(const Strip_state s) const
   {
     return least_cost(with_opposite_change(s)) + (is_border(s) ? 0. : least_cost(across(s)));
   }
 
-  // Of crossing an edge, beside the costs of faces: infinite for what is not allowed, and a little
-  // elsewhere, which keeps strips short.
+  // The price of crossing an edge, beside the costs of faces: infinite if it is not allowed, and
+  // little otherwise, which keeps strips short.
   double price(const Strip_state s) const { return m_values[std::size_t(s)].price; }
 
   // The change times the halfedge's units.
@@ -207,10 +207,10 @@ public:
             m_complex.corner(3 * f + 2).units};
   }
 
-  // The same change of the halfedge on the other side, in the chart there, or no state.
+  // The change as the halfedge on the other side sees it, in the chart there, or no state.
   Strip_state across(const Strip_state s) const { return m_values[std::size_t(s)].across; }
 
-  // The same edge from the other side; strips through it are the same, in the other direction.
+  // The edge from the other side; strips through it run in the other direction.
   Strip_state reversed(const Strip_state s) const
   { return with_opposite_change(is_border(s) ? s : across(s)); }
 

@@ -46,8 +46,9 @@ public:
       m_passed(rules.complex().corners.size() / 3)
   { }
 
-  // Of a strip through the state whose costs add up to less than `bound`. Those of the faces on
-  // both sides of the start are counted from their least ones on; of others, gains are not counted.
+  // Starts a search for a strip through the state whose costs add up to less than `bound`. The
+  // costs of the faces on both sides of the start count from their least values on; gains of other
+  // faces do not count.
   void clear(const Strip_state s, const double bound)
   {
     ++m_round;
@@ -95,7 +96,7 @@ public:
     enter(s, m_rules.across(s), distance);
   }
 
-  // Of the cheapest strip that has closed: the sum of the other costs; or the bound.
+  // The sum of the other costs of the cheapest strip that has closed; or the bound.
   double length() const { return m_length; }
 
   bool has_closed() const { return m_length < m_bound; }

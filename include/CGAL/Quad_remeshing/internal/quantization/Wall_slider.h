@@ -154,7 +154,7 @@ private:
     std::sort(m_links.begin(), m_links.end());
   }
 
-  // That of the root, and how the slide depends on the root's.
+  // The group of the root, and the dependence of the slide on the root's slide.
   Group find(const std::size_t v) const
   {
     Group result{v};

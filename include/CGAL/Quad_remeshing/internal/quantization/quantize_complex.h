@@ -56,7 +56,7 @@ inline double number_of_quads(const Intrinsic_complex& complex)
   return twice_area / 2;
 }
 
-// The same of what is wanted: units per step of the input's grid, per part.
+// The wanted number of quads, from the wanted units per step of the input's grid, for each part.
 inline double number_of_quads_wanted(const Intrinsic_complex& complex,
                                      const std::vector<double>& scales)
 {
@@ -113,7 +113,7 @@ public:
     return moves;
   }
 
-  // The same, until few moves are left: searches over many faces take long. Flat triangles stop
+  // Makes rounds until few moves are left: searches over many faces take long. Flat triangles stop
   // strips: after two searches, edges are flipped such that triangles get less flat, and after each
   // such that they get rounder.
   std::size_t improve(const Cost_of_units cost = Cost_of_units::LENGTHS)
@@ -176,7 +176,7 @@ private:
            static_cast<double>(m_complex.number_of_faces());
   }
 
-  // Of many triangles, an eighth is the most that is worth trying.
+  // Whether a repair is worth trying: if triangles are many, at most an eighth may be bad.
   bool is_repairable() const
   {
     Flat_face_index number = 0;
@@ -185,7 +185,7 @@ private:
     return number <= 8 + m_complex.number_of_faces() / 8;
   }
 
-  // Of few triangles that can't be repaired, some can be when others are; many are hopeless.
+  // A few triangles that can't be repaired may become repairable after others; many are hopeless.
   bool repair()
   {
     constexpr std::size_t most_failures = 4; // triangles that no strip repairs end a scale
@@ -256,7 +256,7 @@ public:
   }
 
 private:
-  // Of this many times the quads wanted, most are forced.
+  // Most quads are forced if there are so many times as many as wanted.
   static constexpr double most_times_as_many = 3; // quads, of the wanted number
 
   double offset(const int ladder) const { return double(ladder) / m_number; }

@@ -70,7 +70,7 @@ public:
 
   std::size_t number_of_faces_inside() const { return m_number_of_faces; }
 
-  // The same point of the input.
+  // The point as a point of the input.
   Face_point inside(const Face_point& at) const
   {
     if(std::size_t(at.face) < m_number_of_faces)
@@ -153,7 +153,7 @@ Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& i
                               const Quantization_options& options,
                               const std::function<std::string(std::size_t)>& vertex_name);
 
-// Of the same surface, of another number of quads.
+// Quantizes the surface again, for another number of quads.
 // \pre there is a quantization
 Quantization quantize_again(const Quantization& quantization, const Quantization_options& options);
 

@@ -182,7 +182,7 @@ public:
     return true;
   }
 
-  // Of the first quantization that is tried, a face graph or not.
+  // The number of the first quantization that is tried, a face graph or not.
   double first_number_of_quads()
   { return quantize(m_options.number_of_quads, m_options.is_coarsest).number_of_quads; }
 
@@ -190,7 +190,7 @@ public:
   { return m_ladders.scales(scale(m_options.number_of_quads)); }
 
 private:
-  // Of the largest step, so that no square is too large; steps are powers of two.
+  // Steps as parts of the largest one, so that no square is too large; steps are powers of two.
   static std::vector<double> relative_steps(const Integer_mesh& input)
   {
     std::vector<double> result(input.steps);

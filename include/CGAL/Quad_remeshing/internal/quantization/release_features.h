@@ -86,7 +86,7 @@ inline double length_in_map(const Integer_mesh& mesh, const std::vector<Feature_
   return result;
 }
 
-// The same surface without some of its features.
+// The surface without some of its features.
 inline Coarse_surface without_features(const Coarse_surface& surface,
                                        const std::vector<Feature_chain>& chains)
 {
@@ -124,8 +124,8 @@ public:
     return false;
   }
 
-  // Those that force most for their length: at least one, and of not more than `enough` in all with
-  // the last one; never of more than `most`.
+  // The chains that force most for their length: at least one. The last one makes their length
+  // exceed `enough`; it never exceeds `most`.
   std::vector<Feature_chain> find(const double enough, const double most)
   {
     std::vector<std::pair<double, std::size_t> > order;

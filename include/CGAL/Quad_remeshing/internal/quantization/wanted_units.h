@@ -46,7 +46,7 @@ inline double weight_of_edge(const Wanted_vector& wanted)
   return 1 / (1 + std::hypot(wanted[0], wanted[1]));
 }
 
-// The same for all halfedges.
+// The wanted units of all halfedges.
 inline std::vector<Wanted_vector> wanted_units(const Intrinsic_complex& complex,
                                                const std::vector<double>& scales)
 {

@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// Of quads: the halfedges to a vertex along features and borders.
+// The halfedges of quads to a vertex along features and borders.
 inline std::vector<Surface_to_remesh::Halfedge>
 lines_at_vertex(const Surface_to_remesh::Mesh& quads,
                 const Surface_to_remesh::Feature_map& is_feature,

@@ -45,7 +45,7 @@ struct Remeshing_types
   using Quad = Quad_in_space;
 };
 
-// Of a face at the target of a halfedge, in degrees.
+// The angle of a face at the target of a halfedge, in degrees.
 inline double angle_to_next(const Remeshing_types::Mesh& mesh, const Remeshing_types::Halfedge h)
 {
   return CGAL::approximate_angle(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),

@@ -132,7 +132,7 @@ public:
     return result;
   }
 
-  // The same, faster: the search begins at a place that is known.
+  // A faster search, which begins at a known place.
   Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
   { return search_from(p, {near_by, 0, squared_distance(p, near_by)}).point; }
 
@@ -216,14 +216,14 @@ private:
     }
   };
 
-  // Of elements, or of two nodes.
+  // A node of elements, or of two nodes.
   struct Node
   {
     Box box;
     Index first = 0, number_of_elements = 0;
   };
 
-  // Of an element, whose points are not looked at again: its box, their sum, and its number.
+  // An element without its points: its box, their sum, and its number.
   struct Entry
   {
     Box box;

@@ -86,7 +86,7 @@ public:
     return sum;
   }
 
-  // Of the faces around one of the vertices.
+  // The badness of the faces around one of the vertices.
   double badness_around(const std::size_t vertex) const
   {
     double sum = 0;

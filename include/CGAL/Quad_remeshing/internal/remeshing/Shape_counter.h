@@ -70,7 +70,7 @@ inline double aspect_ratio(const Quad_in_space& q)
 
 inline bool is_thin(const double scaled_jacobian) { return scaled_jacobian < 0.1; }
 
-// The same, times a power of two, so that no product of four lengths is 0 or infinite; one point if
+// The quad, times a power of two, so that no product of four lengths is 0 or infinite; one point if
 // it has infinite coordinates, or NaN.
 inline Quad_in_space scaled_to_size(Quad_in_space q)
 {

@@ -35,13 +35,13 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// Of a displacement d: d A d - 2 b d, which is 0 for none.
+// The quadratic form d A d - 2 b d of a displacement d.
 struct Distance_form
 {
   std::array<Space_vector, 3> matrix{}; // A
   Space_vector vector{};                // b
 
-  // Of a place that moves by `share` of the displacement, and lies `distance` below a plane.
+  // Adds a place that moves by `share` of the displacement, and lies `distance` below a plane.
   void add(const Space_vector& normal, const double share, const double distance)
   {
     for(std::size_t c = 0; c < 3; ++c) {
@@ -129,7 +129,7 @@ public:
     return forms;
   }
 
-  // Of a place, or of a vertex of the surface, from the quads.
+  // The largest distance of a place, or of a vertex of the surface, from the quads.
   double largest_distance(const Mesh& quads) const
   {
     std::vector<Space_triangle> triangles;

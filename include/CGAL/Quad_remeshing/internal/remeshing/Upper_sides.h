@@ -37,7 +37,7 @@ class Upper_sides
   : private Remeshing_types
 {
 public:
-  // Of quads whose vertices lie on the surface, which are not to move before.
+  // \pre the vertices of the quads lie on the surface, and have not moved since
   // \param is_feature whether an edge of the quads is a feature or border
   Upper_sides(Mesh& quads, const Feature_map& is_feature, const Surface_to_remesh& surface,
               const Quad_smoother& smoother)

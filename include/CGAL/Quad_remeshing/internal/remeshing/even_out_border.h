@@ -119,7 +119,7 @@ private:
     return is_small(0, 1, 2) && is_small(0, 2, 3) && is_small(1, 2, 3);
   }
 
-  // Those near by first.
+  // Vertices near by come first.
   void run_on_loop()
   {
     const std::ptrdiff_t n = std::ptrdiff_t(m_loop.size());
@@ -136,7 +136,7 @@ private:
     return m_loop[std::size_t((i + n) % n)];
   }
 
-  // Of quads that meet at a vertex of the border.
+  // The number of quads at a border vertex beyond the wanted one.
   int excess(const Vertex v) const { return int(m_quads.degree(v)) - 1 - wanted(v); }
 
   // As many as make angles that are nearest to 90 degrees. Vertices that are not on the surface's

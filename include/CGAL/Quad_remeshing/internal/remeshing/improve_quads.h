@@ -63,8 +63,8 @@ public:
     }
   }
 
-  // The same for quads that are still inverted or flat, as good as all costs of those around. Cones
-  // on a feature slide, too, where it is straight enough in space.
+  // Moves vertices of quads that are still inverted or flat, whatever that costs the quads around.
+  // Cones on a feature slide, too, if it is straight enough in space.
   void move_vertices_of_flat_quads()
   {
     m_thin = flat;
@@ -101,8 +101,8 @@ public:
   }
 
 private:
-  // Of the quads that are to be improved, and their neighbors; the worst first, else those around
-  // adapt to it.
+  // The vertices of the quads to improve, and their neighbors. The worst come first; otherwise
+  // their neighbors adapt to them.
   std::vector<Vertex> vertices_near_thin_quads()
   {
     std::vector<Vertex> result;

@@ -230,7 +230,7 @@ private:
            !CGAL::halfedge(v, w, m_mesh).second;
   }
 
-  // Of the triangles abp and baq: whether they face alike, as abp and baq and as pqb and qpa, the
+  // Whether the triangles abp and baq face alike, as abp and baq and as pqb and qpa, the
   // lines ab and pq are near to each other, and the angles at p and q add up to more than 180
   // degrees.
   bool is_flat_and_not_Delaunay(const Point& a, const Point& b, const Point& p,

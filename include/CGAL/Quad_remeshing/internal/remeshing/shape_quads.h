@@ -165,7 +165,7 @@ private:
     return before - least;
   }
 
-  // Of the vertex on the surface, or on its line, where it stays before both neighbors.
+  // The place of the vertex on the surface, or on its feature line, between its two neighbors.
   Space_vector place(const Space_vector& from, const Space_vector& displacement) const
   {
     if(m_lines_at_vertex.empty())
@@ -215,8 +215,8 @@ private:
     return result;
   }
 
-  // Of sides that are more than 20 times as long as others. Angles don't see them: for these
-  // alone, a vertex on a line would halve the edge to its end in each round.
+  // The badness of long sides. Angles don't see them: for angles alone, a vertex on a line would
+  // halve the edge to its end in each round.
   static double badness_of_sides(const Quad& q)
   {
     constexpr double long_side = 20, weight = 0.05, least_square = 1e-100; // sides over others

@@ -37,7 +37,7 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// Of the quads around a vertex: the sum of their normals; one edge from it, and the longest length.
+// The plane of a vertex star: the sum of the normals, one edge, and the length of the longest one.
 struct Star_plane
 {
   Space_vector normal{}, side{};
@@ -240,15 +240,15 @@ public:
   // The nearest point of the surface.
   Space_vector nearest(const Space_vector& p) const { return m_tree.nearest(p).point; }
 
-  // The same, faster: the search begins at another point of the surface.
+  // A faster search for it, which begins at another point of the surface.
   Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
   { return m_tree.nearest(p, near_by); }
 
   Face nearest_face(const Space_vector& p) const
   { return m_searched[m_tree.nearest(p).element]; }
 
-  // Of two that lie on each other and face to opposite sides, as where bodies touch: the one that
-  // faces to `side`.
+  // The nearest face. If two faces lie on each other and face to opposite sides, because bodies
+  // touch, the one that faces to `side`.
   Face nearest_face(const Space_vector& p, const Space_vector& side) const
   { return nearest_face(p, side, distance_of_same_place, cosine_of_opposite_sides); }
 
@@ -269,7 +269,7 @@ public:
   Space_vector normal_of_surface(const Face f) const
   { return area_vector(triangle_of(m_surface, f)); }
 
-  // Of a surface that is a plane, or parallel ones that face to one side; else 0.
+  // The normal of a surface that is a plane, or parallel planes that face to one side; else 0.
   Space_vector unit_normal_of_plane() const
   {
     constexpr double rounding = 1e-9; // of the unit normal

@@ -137,7 +137,7 @@ private:
   }
 
   // The vertices of the loop between which it is near to straight lines [Douglas and Peucker 1973].
-  // Of n vertices, in n log n steps as a rule, and in n^2 at most. Small loops stay loops.
+  // Takes n log n steps for n vertices as a rule, and n^2 at most. Small loops stay loops.
   template <typename Predicate>
   std::vector<std::size_t> simplify(const Predicate& is_fixed)
   {
@@ -274,7 +274,7 @@ private:
     }
   }
 
-  // Those inside, the nearest to lines first; each with the lines that are nearest.
+  // Finds the vertices inside, the nearest to lines first, each with its nearest lines.
   void find_vertices_near_by()
   {
     constexpr double farthest = 4; // tolerances
@@ -311,7 +311,7 @@ private:
                        [&](const Halfedge h) { return m_surface.is_wall(h); });
   }
 
-  // Of the neighbors of a vertex, as parts of 1 [Floater 2003].
+  // Weights of the neighbors of a vertex, whose sum is 1 [Floater 2003].
   std::vector<std::pair<Vertex, double> > mean_value_weights(const Vertex v) const
   {
     constexpr double widest = 179; // degrees, of an angle at a vertex
@@ -353,7 +353,7 @@ private:
       }
   }
 
-  // Those that are nearest to faces that have turned over. Returns whether there are any.
+  // Drops the lines that are nearest to flipped faces. Returns whether there are any.
   bool drop_lines_at_flips()
   {
     bool result = false;
