@@ -11,7 +11,7 @@ if(status EQUAL 0)
 endif()
 string(REGEX MATCHALL "error: [^\n]*" errors "${out}")
 set(expected
-  "pass the mesh beneath it, with get\\(uv, target\\(hd\\(h\\), seam_mesh\\)\\.hd\\)"
+  "pass the underlying mesh, with get\\(uv, target\\(hd\\(h\\), seam_mesh\\)\\.hd\\)"
   "the uv map must be a property map"
   "the keys of the uv map must be halfedges of the mesh"
   "the values of the uv map must be two-dimensional points of a kernel"

@@ -30,9 +30,9 @@ std::string with_options(const std::string& message)
   static const char* const words[][2] = {
     {"by snap_to_seamless() with repair_flips(true)", "by --repair-flips"},
     {"raise the tolerance", "raise --tolerance"},
-    {"; raise it to at least that, which is less of a map scaled by grid_scale",
+    {"; raise it to at least this distance, or scale the map up by grid_scale",
      "; ask for a number of quads by --number, which finds integers for each map without flips, or "
-     "raise it to at least that"},
+     "raise it to at least this distance"},
     {"set target_edge_length to about the length of an edge", "scale the mesh to about the size 1"},
     {"and at most maximum_number; see target_number_of_quads and target_edge_length",
      "and at most --maximum-number; see --number, --edge-length, and --sizes"},
@@ -52,7 +52,7 @@ std::string with_options(const std::string& message)
     {"symmetry_plane", "--symmetry"},
     {"curvature_alignment", "--curvature"},
     {"vertex_sizing_map and curvature_adaptivity", "--sizes and --adaptivity"},
-    {"the rounding_tolerance of", "--rounding"},
+    {"the rounding_tolerance is", "--rounding is"},
     {"number_of_untangling_iterations", "--untangling-iterations"}};
   return with_words(message, words);
 }

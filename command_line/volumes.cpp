@@ -183,7 +183,7 @@ std::string with_options(const std::string& message)
   static const char* const words[][2] = {
     {"pass align_boundary(false)", "give --free-boundary; for features, --ignore-features"},
     {"grid_scale", "--grid-scale"},
-    {"the rounding_tolerance of", "--rounding"},
+    {"the rounding_tolerance is", "--rounding is"},
     {"Flip_repair::UNTANGLE changes", "--repair-flips changes"},
     {"number_of_untangling_iterations", "--untangling-iterations"}};
   return with_words(message, words);

@@ -193,7 +193,7 @@ void test_other_meshes()
     CHECK(os.str().empty());
     return result;
   };
-  const std::string refusal = "the faces of the mesh are not those of the file";
+  const std::string refusal = "the mesh has other faces than the file";
   Surface_model model, moved, other;
   CHECK(model.read(everything));
   CHECK(moved.read(everything));

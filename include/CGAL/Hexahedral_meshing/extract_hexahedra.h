@@ -44,7 +44,7 @@ namespace internal {
 
 constexpr std::size_t default_maximum_number_of_hexahedra = 100000000;
 
-// The points of the vertices of the volume. Returns what is wrong with them, if so.
+// Checks the points of the vertices of the volume. Returns a refusal if they are wrong.
 template <typename PointRange>
 std::optional<Refusal> read_points(const PointRange& range, const Flat_volume& volume,
                                    std::vector<Uvw>& points)
@@ -118,9 +118,8 @@ void put_locations(const Hexahedral_soup& soup, const Flat_volume& volume, const
 /*!
 \ingroup PkgHexahedralMeshingRef
 
-extracts the mesh of hexahedra that an integer-grid map of a tetrahedral mesh describes: its
-vertices, edges, quadrilaterals, and hexahedra are those of the grid of integers, as the map pulls
-it back.
+extracts the mesh of hexahedra that an integer-grid map of a tetrahedral mesh describes: the
+preimage of the grid of integers.
 
 The map must be exactly seamless with integer translations, singular edges must lie on lines of the
 grid and boundary facets in planes of it, and all cells must be positive in the domain, or all

@@ -313,11 +313,11 @@ the function returns the best result so far, and the message says so.
     \cgalParamDefault{`false`; not read with a `visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is called with a line of text after each step, and about each second of
-                          long ones, in the calling thread. An exception that it throws ends the
-                          work and passes on to the caller; `quads` is untouched then.}
-    \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
-    \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
+    \cgalParamDescription{receives the progress as lines of text, in the calling thread. An
+                          exception that it throws ends the function and passes on to the caller;
+                          `quads` is untouched then.}
+    \cgalParamType{a model of `ProgressVisitor`, or `std::ref()` of one}
+    \cgalParamDefault{with `verbose`, a visitor that writes to `std::cerr`; else none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -325,8 +325,8 @@ work.
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is called with the progress of the search, as by `quad_remesh()`, and may
                           end it}
-    \cgalParamType{a callable, or `std::ref()` of one, that takes a `const std::string&`}
-    \cgalParamDefault{one that writes to `std::cerr` with `verbose`, else none}
+    \cgalParamType{a model of `ProgressVisitor`, or `std::ref()` of one}
+    \cgalParamDefault{with `verbose`, a visitor that writes to `std::cerr`; else none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

@@ -29,8 +29,8 @@ namespace Hexahedral_meshing {
 /*!
 \ingroup PkgHexahedralMeshingRef
 
-What `extract_hexahedra()` returns: the outcome, and the numbers of what was extracted. Converts to
-`bool`: `true` if and only if the hexahedra were written. On failure, numbers of steps that were not
+The report of `extract_hexahedra()`: the outcome, and the numbers of extracted elements. It converts
+to `true` if and only if the hexahedra were written. On failure, numbers of steps that were not
 reached are zero.
 */
 struct Hexahedra_report

@@ -70,7 +70,7 @@ public:
   std::vector<signed char> take_elements()
   { return elements_of_facets(m_volume, m_transitions, false, -1); }
 
-  // That of the mesh, as if parts that touch in edges and vertices only were apart.
+  // The characteristic of the mesh, as if parts that touch in edges and vertices only were apart.
   std::ptrdiff_t euler_characteristic()
   {
     const std::size_t number_of_cells = m_volume.number_of_cells();

@@ -77,9 +77,9 @@ std::optional<Refusal> write_all_or_nothing(const std::size_t n, const Change& c
     return std::nullopt;
   take_back();
   return Refusal(Outcome::INTERNAL_ERROR,
-                 "the map does not keep what is written to it, so that what it had was written "
-                 "back; each corner needs a place of its own, and the full precision of the "
-                 "points' number type");
+                 "the map does not keep new values, and its old values were written back; each "
+                 "corner needs its own place in memory, with the precision of the points' number "
+                 "type");
 }
 
 } // namespace internal

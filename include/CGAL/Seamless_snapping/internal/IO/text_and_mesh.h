@@ -217,7 +217,7 @@ std::string rewritten_text(const std::string_view text, const Soup& soup, const 
          f(std::array<double, 2>{CGAL::to_double(uv.x()), CGAL::to_double(uv.y())});
          return q.x() == FT(p[0]) && q.y() == FT(p[1]) && q.z() == FT(p[2]);
        }))
-      throw File_refusal(0, "the faces of the mesh are not those of the file");
+      throw File_refusal(0, "the mesh has other faces than the file");
   };
   return Rewriter<Soup>(text, soup, for_each_uv).rewrite();
 }

@@ -99,8 +99,8 @@ constexpr bool check_map_of_corners()
     constexpr bool has_points = Has_two_coordinates<typename Traits::value_type>::value;
     static_assert(has_halfedges,
                   "the keys of the uv map must be halfedges of the mesh, or integers for a soup: "
-                  "each corner has coordinates of its own, those of the halfedge that points to it "
-                  "in its face");
+                  "each corner has its own coordinates, and the halfedge in its face that points "
+                  "to it is the key");
     static_assert(!has_halfedges || has_points,
                   "the values of the uv map must be two-dimensional points of a kernel, such as "
                   "CGAL::Simple_cartesian<double>::Point_2: no Point_3, and no containers");
@@ -114,9 +114,9 @@ constexpr bool check_uv_map()
 {
   constexpr bool is_seam_mesh = Is_seam_mesh<TriangleMesh>::value;
   static_assert(!is_seam_mesh,
-                "the seams of a Seam_mesh are borders, where nothing needs to match: pass the mesh "
-                "beneath it, with get(uv, target(hd(h), seam_mesh).hd) as the coordinates of each "
-                "halfedge h, where hd is the halfedge_descriptor of the Seam_mesh");
+                "the seams of a Seam_mesh are borders, and nothing has to match there: pass the "
+                "underlying mesh, with get(uv, target(hd(h), seam_mesh).hd) as the coordinates of "
+                "each halfedge h, where hd is the halfedge_descriptor of the Seam_mesh");
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
   if constexpr(is_seam_mesh)
     return false;

@@ -200,7 +200,7 @@ private:
         return fail(step + " crosses the border; a path crosses edges between two faces");
       if(face(h, m_tmesh) != f)
         return fail(step +
-                    " does not begin in the face where the path has arrived; consecutive halfedges "
+                    " does not begin in the face that the path has reached; consecutive halfedges "
                     "h, i of a path have face(opposite(h)) = face(i)");
       f = face(opposite(h, m_tmesh), m_tmesh);
     }

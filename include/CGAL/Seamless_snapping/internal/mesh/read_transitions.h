@@ -94,7 +94,7 @@ inline std::string hint_on_symmetry(const std::vector<Edge_sides>& edges, const 
              "coordinates: pass " + parameter(order);
     if(fits(order, false))
       return "; the map is seamless for N = " + std::to_string(order) + ", in Cartesian " +
-             "coordinates, where no such map is exact: apply convert_to_lattice_coordinates(), " +
+             "coordinates, in which it cannot be exact: apply convert_to_lattice_coordinates(), " +
              "and pass " + parameter(order);
   }
   return std::string();
@@ -240,8 +240,8 @@ private:
       set_rotation<Group>(edge, vectors, g, m_scale);
       if(g != Group::inverse(m_given.rotation(m_surface.opposite(edge.halfedge)))) {
         fail(data, Outcome::INVALID_ROTATIONS, edge.halfedge,
-             " has rotations that are not inverse to each other; those of opposite halfedges must "
-             "add up to a multiple of " + std::to_string(m_given.order()));
+             " has rotations that are not inverse to each other; rotations of opposite halfedges "
+             "must add up to a multiple of " + std::to_string(m_given.order()));
         return false;
       }
       if(g != Group::identity() && !edge.is_cut) {

@@ -293,10 +293,10 @@ private:
     if(worst->distance() <= tolerance)
       return std::nullopt;
     return Refusal(Outcome::NOT_INTEGER,
-                   name_of_rounding(*worst, m_surface, cuts) + " is " +
-                     short_number(worst->distance()) + " off the integer that fits the others, "
-                     "more than the rounding_tolerance of " + short_number(tolerance) +
-                     "; raise it to at least that, which is less of a map scaled by grid_scale");
+                   name_of_rounding(*worst, m_surface, cuts) + " must move by " +
+                     short_number(worst->distance()) + " to reach the integer that fits the "
+                     "others, but the rounding_tolerance is " + short_number(tolerance) +
+                     "; raise it to at least this distance, or scale the map up by grid_scale");
   }
 
   // Null if there is none but of points that are free to move.

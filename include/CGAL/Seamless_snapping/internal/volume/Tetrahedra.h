@@ -248,8 +248,8 @@ std::optional<Refusal> read_neighbors(const NeighborRange& neighbors, Tetrahedra
       return invalid_cells(name() + "there must be 4");
     for(const auto d : cell) {
       if(!(d < 0) && (!is_index_below(d, size) || static_cast<std::size_t>(d) == facet / 4))
-        return invalid_cells(name() + std::to_string(d) + " is no other cell; where there is "
-                             "none, the number must be negative");
+        return invalid_cells(name() + std::to_string(d) + " is no other cell; without a "
+                             "neighbor, the number must be negative");
       tetrahedra.neighbors[facet++] = d < 0 ? -1 : static_cast<std::int32_t>(d);
     }
   }
@@ -310,7 +310,7 @@ inline std::optional<Refusal> find_neighbors(Tetrahedra& tetrahedra)
   if(third != no_facet)
     return Refusal(Outcome::NOT_MANIFOLD,
                    name_of_facet(tetrahedra, third) + " belongs to more than two cells; remove "
-                     "those that are there twice, or divide the mesh into manifold parts");
+                     "duplicate cells, or divide the mesh into manifold parts");
   for(std::size_t f = 0; f < tetrahedra.neighbors.size(); f += 4)
     if(const std::int32_t d = tetrahedra.neighbors[f]; d >= 0 && d == tetrahedra.neighbors[f + 1])
       return Refusal(Outcome::NOT_MANIFOLD,

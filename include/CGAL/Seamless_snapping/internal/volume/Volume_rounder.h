@@ -265,10 +265,10 @@ public:
     m_report.largest_rounding = worst.first;
     if(worst.first > m_rounding_tolerance)
       return Refusal(Outcome::NOT_INTEGER,
-                     worst.second + " is " + short_number(worst.first) +
-                       " off the integer that fits the others, more than the rounding_tolerance "
-                       "of " + short_number(m_rounding_tolerance) + "; raise it to at least that, "
-                       "which is less of a map scaled by grid_scale");
+                     worst.second + " must move by " + short_number(worst.first) +
+                       " to reach the integer that fits the others, but the rounding_tolerance "
+                       "is " + short_number(m_rounding_tolerance) + "; raise it to at least this "
+                       "distance, or scale the map up by grid_scale");
     if(!expand(*displacement, is_far, rounded))
       return not_representable();
     if(!is_exact(m_volume, transitions, alignment, rounded) ||

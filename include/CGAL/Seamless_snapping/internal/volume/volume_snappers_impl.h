@@ -151,8 +151,8 @@ private:
       return ", such as cell " + std::to_string(cells.front());
     };
     std::string message = are_most ? "at the nearest integers, most cells lose their orientation"
-                                   : "the grid can't be told from the coordinates any more, once "
-                                     "these are at the nearest integers";
+                                   : "at the nearest integers, the coordinates no longer "
+                                     "determine the grid";
     if(!lost.empty())
       message += ": " + counted(lost.size(), "cell") +
                  (lost.size() == 1 ? " loses its orientation" : " lose their orientation") +
