@@ -1,0 +1,253 @@
+"""Tests of the add-on, run by Blender without a screen: blender -b --python test_addon.py
+
+The environment variable SEAMLESS_PROGRAM names the program. Exits with 1 if a test fails.
+"""
+
+import importlib.util
+import pathlib
+import sys
+import tempfile
+import traceback
+
+import bmesh
+import bpy
+import numpy as np
+
+FOLDER = pathlib.Path(__file__).resolve().parents[1]
+spec = importlib.util.spec_from_file_location("seamless_quads", FOLDER / "seamless_quads" / "__init__.py")
+addon = importlib.util.module_from_spec(spec)
+sys.modules["seamless_quads"] = addon
+spec.loader.exec_module(addon)
+addon.register()
+
+
+def clear():
+    bpy.ops.object.select_all(action="DESELECT")
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    for mesh in list(bpy.data.meshes):
+        bpy.data.meshes.remove(mesh)
+    settings = bpy.context.scene.seamless_quads
+    for name in list(settings.keys()):
+        settings.property_unset(name)
+    return settings
+
+
+def remesh():
+    """The new object."""
+    old = bpy.context.object
+    unused = [m for m in bpy.data.meshes if m.users == 0]
+    temporary = set(pathlib.Path(tempfile.gettempdir()).glob("seamless_*"))
+    assert bpy.ops.object.seamless_quads() == {"FINISHED"}
+    assert set(pathlib.Path(tempfile.gettempdir()).glob("seamless_*")) == temporary
+    new = bpy.context.object
+    assert new is not old and old.hide_get() and new.select_get()
+    assert [m for m in bpy.data.meshes if m.users == 0] == unused
+    return new
+
+
+def expect_error(words):
+    count = len(bpy.data.objects), len(bpy.data.meshes)
+    try:
+        result = bpy.ops.object.seamless_quads()
+    except RuntimeError as error:
+        message = str(error)
+    else:
+        raise AssertionError("no error, but %s" % result)
+    assert words in message, message
+    assert "--" not in message and "/tmp" not in message, message
+    assert (len(bpy.data.objects), len(bpy.data.meshes)) == count
+    assert not bpy.context.object.hide_get()
+
+
+def number_of_parts(mesh):
+    parent = list(range(len(mesh.vertices)))
+
+    def root(v):
+        while parent[v] != v:
+            v = parent[v]
+        return v
+
+    for a, b in mesh.edge_keys:
+        parent[root(a)] = root(b)
+    return len({root(v) for v in range(len(parent))})
+
+
+def border_edges(mesh):
+    count = {}
+    for polygon in mesh.polygons:
+        for key in polygon.edge_keys:
+            count[key] = count.get(key, 0) + 1
+    return [key for key, n in count.items() if n == 1]
+
+
+def all_quads(mesh):
+    return all(len(p.vertices) == 4 for p in mesh.polygons)
+
+
+def test_monkey():
+    """With a modifier, materials, texture coordinates, a vertex group, and colors."""
+    settings = clear()
+    bpy.ops.mesh.primitive_monkey_add(location=(1, 2, 3))
+    old = bpy.context.object
+    old.modifiers.new("Subdivision", "SUBSURF").levels = 1
+    for name in ("red", "blue"):
+        old.data.materials.append(bpy.data.materials.new(name))
+    for polygon in old.data.polygons:
+        polygon.material_index = int(polygon.center.x > 0)
+        polygon.use_smooth = True
+    group = old.vertex_groups.new(name="up")
+    for vertex in old.data.vertices:
+        group.add([vertex.index], float(np.clip(vertex.co.z, 0, 1)), "REPLACE")
+    colors = old.data.color_attributes.new("paint", "FLOAT_COLOR", "POINT")
+    for vertex in old.data.vertices:
+        colors.data[vertex.index].color = (*[0.5 + 0.2 * c for c in vertex.co], 1)
+    settings.number, settings.use_angle = 3000, False
+    new = remesh()
+    mesh = new.data
+    assert all_quads(mesh) and 1500 < len(mesh.polygons) < 6000, len(mesh.polygons)
+    assert new.matrix_world == old.matrix_world and mesh.polygons[0].use_smooth
+    assert [m.name for m in mesh.materials] == ["red", "blue"]
+    wrong = [p for p in mesh.polygons if abs(p.center.x) > 0.05 and
+             p.material_index != int(p.center.x > 0)]
+    assert len(wrong) < len(mesh.polygons) / 100, len(wrong)
+    assert mesh.uv_layers.active and mesh.uv_layers.active.name == old.data.uv_layers.active.name
+    uv = np.empty(2 * len(mesh.loops))
+    mesh.uv_layers.active.data.foreach_get("uv", uv)
+    assert 0 <= uv.min() and uv.max() <= 1 and uv.std() > 0.1
+    errors, painted = [], []
+    for vertex in mesh.vertices:
+        weight = sum(g.weight for g in vertex.groups)
+        errors.append(abs(weight - np.clip(vertex.co.z, 0, 1)))
+        painted.append([mesh.color_attributes["paint"].data[vertex.index].color[c] -
+                        (0.5 + 0.2 * vertex.co[c]) for c in range(3)])
+    assert np.mean(errors) < 0.05 and np.abs(painted).mean() < 0.05, np.mean(errors)
+
+
+def marked_cube(mark):
+    settings = clear()
+    bpy.ops.mesh.primitive_cube_add(size=2)
+    mesh = bpy.context.object.data
+    edit = bmesh.new()
+    edit.from_mesh(mesh)
+    bmesh.ops.subdivide_edges(edit, edges=edit.edges[:], cuts=7, use_grid_fill=True)
+    for edge in edit.edges:
+        if all(abs(v.co.z) < 1e-6 for v in edge.verts):  # around the middle
+            mark(edge)
+    edit.to_mesh(mesh)
+    edit.free()
+    settings.number = 700
+    return settings
+
+
+def has_loop_in_the_middle(mesh):
+    return sum(all(abs(mesh.vertices[v].co.z) < 1e-5 for v in key) for key in mesh.edge_keys) >= 16
+
+
+def test_cube_with_marked_edges():
+    for mark, name in ((lambda e: setattr(e, "seam", True), "use_seams"),
+                       (lambda e: setattr(e, "smooth", False), "use_sharp")):
+        settings = marked_cube(mark)
+        mesh = remesh().data
+        assert all_quads(mesh) and has_loop_in_the_middle(mesh)
+        corners = [v for v in mesh.vertices if all(abs(abs(c) - 1) < 1e-6 for c in v.co)]
+        assert len(corners) == 8
+        settings = marked_cube(mark)
+        setattr(settings, name, False)
+        features = addon.Source(bpy.context.object, bpy.context.evaluated_depsgraph_get())
+        assert features.feature_edges(settings) == []
+        features.remove()
+
+
+def test_open_surface():
+    """A sheet: its border stays where it is."""
+    settings = clear()
+    bpy.ops.mesh.primitive_grid_add(x_subdivisions=20, y_subdivisions=20, size=2)
+    settings.target, settings.edge_length = "LENGTH", 0.2
+    mesh = remesh().data
+    assert all_quads(mesh) and 60 < len(mesh.polygons) < 160, len(mesh.polygons)
+    for key in border_edges(mesh):
+        for v in key:
+            assert abs(max(abs(c) for c in mesh.vertices[v].co) - 1) < 1e-6
+
+
+def test_two_parts():
+    settings = clear()
+    bpy.ops.mesh.primitive_uv_sphere_add(location=(-2, 0, 0))
+    first = bpy.context.object
+    bpy.ops.mesh.primitive_torus_add(location=(2, 0, 0))
+    first.select_set(True)
+    bpy.ops.object.join()
+    settings.number = 1500
+    mesh = remesh().data
+    assert all_quads(mesh) and number_of_parts(mesh) == 2 and not border_edges(mesh)
+
+
+def test_symmetry_and_density():
+    settings = clear()
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=4)
+    group = bpy.context.object.vertex_groups.new(name="top")
+    for vertex in bpy.context.object.data.vertices:
+        group.add([vertex.index], float(vertex.co.z > 0), "REPLACE")
+    settings.number, settings.density_group, settings.density_factor = 1500, "top", 3
+    settings.symmetry = (True, False, False)
+    mesh = remesh().data
+    points = {tuple(v.co) for v in mesh.vertices}
+    assert {(-x, y, z) for x, y, z in points} == points
+    up = sum(p.center.z > 0.2 for p in mesh.polygons)
+    assert up > 2 * sum(p.center.z < -0.2 for p in mesh.polygons)
+
+
+def test_failures():
+    settings = clear()
+    bpy.ops.mesh.primitive_circle_add(fill_type="NOTHING")
+    expect_error("The object has no faces")
+    clear()
+    bpy.ops.mesh.primitive_plane_add()
+    for vertex in bpy.context.object.data.vertices:
+        vertex.co = (vertex.index, 0, 0)  # on a line
+    expect_error("have no area")
+    clear()
+    bpy.ops.mesh.primitive_cube_add()
+    settings.symmetry = (True, True, False)
+    expect_error("one axis only")
+    settings.symmetry = (False, False, False)
+    settings.target, settings.edge_length = "LENGTH", 50
+    expect_error("Edge Length makes less than one quad")
+
+
+def test_program_is_not_found():
+    clear()
+    bpy.ops.mesh.primitive_cube_add()
+    found, addon.program_path = addon.program_path, lambda context: None
+    try:
+        expect_error("is not found")
+    finally:
+        addon.program_path = found
+
+
+def test_stopping():
+    """The program is killed, and its folder removed."""
+    settings = clear()
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=7)
+    settings.number = 200000
+    job = addon.Job(bpy.context, bpy.context.object, settings)
+    assert job.is_running() and job.folder.exists()
+    job.clean()
+    assert not job.is_running() and not job.folder.exists()
+
+
+failed = 0
+for name, test in list(globals().items()):
+    if name.startswith("test_"):
+        try:
+            test()
+            print("passed:", name)
+        except Exception:
+            failed += 1
+            traceback.print_exc()
+            print("FAILED:", name)
+addon.unregister()
+print("failed:", failed)
+sys.stdout.flush()
+sys.exit(1 if failed else 0)
