@@ -33,6 +33,10 @@ def save(figure, filename):
     """PNG or SVG by the name; without a date, so that the same figure gives the same file."""
     if str(filename).endswith(".svg"):
         figure.savefig(filename, metadata={"Date": None})
+        with open(filename) as file:
+            lines = [line.rstrip() + "\n" for line in file]
+        with open(filename, "w") as file:
+            file.writelines(lines)
     else:
         figure.savefig(filename, dpi=110, metadata={"Software": None})
         image = Image.open(filename).convert("RGB")

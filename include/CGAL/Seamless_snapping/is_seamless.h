@@ -196,7 +196,8 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, const HalfedgeUVMap
 
 returns whether a parametrization is exactly seamless, by exact arithmetic.
 
-It is if for each interior edge there is a rotation \f$ R \f$ by a multiple of 90 degrees such that
+This is the case if for each interior edge there is a rotation \f$ R \f$ by a multiple of 90 degrees
+such that
 \f$ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f$. Here
 \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates of the ends \f$ a, b \f$ in the
 charts of the two faces. In addition, one coordinate must be constant along each edge that is to be

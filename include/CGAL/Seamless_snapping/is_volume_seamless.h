@@ -99,7 +99,8 @@ void read_or_throw(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
 
 returns whether a parametrization of a tetrahedral mesh is exactly seamless, by exact arithmetic.
 
-It is if for each interior facet there is one of the 24 rotations of the cube \f$ R \f$ such that
+This is the case if for each interior facet there is one of the 24 rotations of the cube \f$ R \f$
+such that
 \f$ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f$ for any two of its
 vertices \f$ a, b \f$. Here \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates in the
 charts of the two cells. In addition, one coordinate must be constant on each boundary facet and

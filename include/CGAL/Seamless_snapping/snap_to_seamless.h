@@ -56,11 +56,11 @@ arranged in any way. The function reads cuts, rotations, and singular vertices o
 unless you pass them (see `seam_transitions()`).
 
 The result approximates the least-squares optimum: the exactly seamless parametrization that
-minimizes the sum of squared changes of the sectors at cut vertices. A parametrization that is
-exactly seamless already stays as it is. Otherwise, corners without constraints keep their bits,
-unless a face would lose its orientation. (If corners in one place differ in the signs of their
-zeros, these may change.) The function verifies the result exactly before it writes it; on failure
-nothing changes.
+minimizes the sum of squared changes of the sectors at cut vertices (see \ref SSnappingBackground).
+A parametrization that is exactly seamless already stays as it is. Otherwise, corners without
+constraints keep their bits, unless a face would lose its orientation. (If corners in one place
+differ in the signs of their zeros, these may change.) The function verifies the result exactly
+before it writes it; on failure nothing changes.
 
 Faces of positive orientation keep it if an exactly seamless parametrization near by allows this.
 Orientations are decided exactly. If a face turns over, the function moves one of its vertices, with
