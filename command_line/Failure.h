@@ -1,4 +1,4 @@
-// How a subcommand ends. Only `SUCCESS` says that what was asked for is done, and written.
+// The exit statuses of a subcommand. Only `SUCCESS` says that the task is done, and written.
 
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_FAILURE_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_FAILURE_H
@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-// `STILL_FLIPPED`: the result is exact and written, but flips remain that were to be repaired, or
-// quads that are inverted.
+// `STILL_FLIPPED`: the result is exact and written, but flips remain after a repair, or quads are
+// inverted.
 enum Exit
 {
   SUCCESS = 0, NOT_SOLVED = 1, USAGE = 2, UNREADABLE = 3, UNWRITABLE = 4, STILL_FLIPPED = 5

@@ -32,7 +32,7 @@ void mark_sharp_edges(const double angle, Model& model)
   model.mesh.remove_property_map(is_sharp);
 }
 
-// That more than half of all features are short for the edges of the mesh, if these are not few.
+// Notes if more than half of all features are short for the edges of the mesh, unless they are few.
 void note_noise(const std::size_t number_of_features, Model& model, std::ostream& os)
 {
   constexpr std::size_t few = 20;
@@ -59,13 +59,11 @@ void Feature_options::add_to(Options& options, const std::string& keep,
                              const std::string& default_length)
 {
   options.add("feature-angle", "DEGREES", angle, {0, 180},
-              keep + " edges that are sharper (default: 0, which " + keep + "s none)");
+              keep + " edges with a larger angle between their faces (default: 0, which " + keep +
+                "s none)");
   options.add("feature-length", "L", length, {0, (std::numeric_limits<double>::max)()},
-              "leave out features that are shorter and lead nowhere, as noise makes them:\n"
-              "lines of edges with an end where no other feature is, nor the border;\n"
-              "where much of a net of more than 20 lines does, all that are shorter than\n"
-              "four times this length; and the shorter of two sides of a sliver\n"
-              "(default: " + default_length + ")");
+              "leave out features that are noise: short lines with a free end, all short lines of a "
+              "net with many free ends, and sides of slivers (default: " + default_length + ")");
 }
 
 Marked_features Feature_options::mark(Model& model, std::ostream& os) const

@@ -42,7 +42,7 @@ std::string in_words(const Range& range)
   return os.str();
 }
 
-// Checks what is given against the range.
+// Checks the given number against the range.
 template <typename Number>
 po::typed_value<Number>* value_in_range(const std::string& name, const std::string& placeholder,
                                         Number& value, const Range& range)
@@ -182,7 +182,7 @@ bool Options::parse(const Arguments& arguments)
 {
   Declarations& d = *m_declarations;
   const std::string command = d.usage.substr(0, d.usage.find(' '));
-  d.shown.add_options()("version", "tell the version")("help,h", "show this text");
+  d.shown.add_options()("version", "show the version")("help,h", "show this text");
   po::options_description all;
   all.add(d.shown).add(d.files);
   try {

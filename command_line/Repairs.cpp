@@ -272,10 +272,10 @@ Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
 
 void Plain_reading_options::add_to(Options& options)
 {
-  options.add("features", features, "take the edges of 'l' elements for features");
+  options.add("features", features, "treat the edges of 'l' elements as features");
   options.add("merge", "DISTANCE", merge, {0, std::numeric_limits<double>::infinity(), true},
-              "merge points no farther apart than this, for surfaces whose parts don't quite meet");
-  options.add("strict", strict, "refuse a mesh that has to be repaired or triangulated on reading");
+              "merge points up to this distance, for surfaces whose parts don't quite meet");
+  options.add("strict", strict, "refuse a mesh that needs repair or triangulation");
 }
 
 std::string Repairs::in_words() const

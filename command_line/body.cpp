@@ -25,16 +25,16 @@ void make_body(const Arguments& arguments)
   Handle_body_options body;
   std::string output;
   Options options("body OUT",
-                  "Writes a closed surface, or one with border, of a given genus: a flat box with a\n"
-                  "row of holes, rounded or not. OUT is a .off or .obj file, or - for the standard\n"
-                  "output, in the OFF format.\n");
+                  "Writes a surface of a given genus to try things on: a flat box with a row of\n"
+                  "holes, rounded or not. OUT is a .off or .obj file, or - for the standard output,\n"
+                  "as OFF.\n");
   options.add_file("output", output);
   options.add("genus", "G", body.genus, {0, 1000}, "the number of holes (default: 2)");
   options.add("sharp", body.is_sharp, "keep the sharp edges of the box");
   options.add("borders", "N", body.number_of_borders, {0, 2},
-              "how many ends are cut off (default: 0)");
+              "the number of ends that are cut off (default: 0)");
   options.add("edge-length", "L", body.edge_length, {0.001, 1000},
-              "of the triangles (default: 0.25)");
+              "the length of edges of the triangles (default: 0.25)");
   if(!options.parse(arguments))
     return;
   const std::string suffix = is_special_file(output) ? "off" : suffix_of(output);

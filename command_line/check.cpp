@@ -37,18 +37,19 @@ void check(const Arguments& arguments)
     return check_volume(arguments);
   Options options("check IN",
                   "Tells whether the texture coordinates of a triangle mesh are exactly seamless:\n"
-                  "whether, across each edge, the coordinates on both sides differ by a rotation by\n"
-                  "a multiple of 90 degrees and a translation. IN is a .obj file, a .ply file with a\n"
-                  "list 'texcoord' for each face, or - for the standard input. Tetrahedral meshes are\n"
-                  ".hexex files: 'seamless check IN.hexex --help' tells their options.\n");
+                  "across each edge, the coordinates of both sides differ by a rotation by a\n"
+                  "multiple of 90 degrees and a translation.\n"
+                  "\n"
+                  "IN is a .obj file, a .ply file with a list 'texcoord' for each face, or - for the\n"
+                  "standard input. For tetrahedral meshes, see 'seamless check IN.hexex --help'.\n");
   std::string input, report;
   bool keeps_open = false;
   Seam_options seam_options;
   options.add_file("input", input);
   seam_options.add_to(options);
   options.add("float", seam_options.reading.in_float,
-              "look at the coordinates as programs see them that read 32-bit floats");
-  options.add("open", keeps_open, "take border edges between the same points for borders");
+              "check the coordinates after rounding to 32-bit floats");
+  options.add("open", keeps_open, "treat border edges between the same points as borders, not as cuts");
   options.add("report", "R.json", report, "write all figures to a file");
   options.exclude({"weld", "open"});
   if(!options.parse(arguments))

@@ -38,20 +38,22 @@ struct Layout_options
   bool parse(const Arguments& arguments)
   {
     Options options("layout IN OUT",
-                    "Makes a parametrization exactly seamless, with its border aligned where it is\n"
-                    "nearly so, and divides the surface into rectangles: curves start at all cones\n"
-                    "and corners, and end where they meet one that has been there before. Where the\n"
-                    "border is not aligned, patches can have any shape. IN is a .obj file, a .ply\n"
-                    "file with a list 'texcoord' for each face, or - for the standard input; OUT is\n"
-                    "a .obj file with a group of faces for each patch, those that are no rectangles\n"
-                    "also in the group 'cut', and an element 'l' for each arc.\n");
+                    "Divides a surface into rectangles along isocurves of its parametrization, which\n"
+                    "is made exactly seamless first. Curves start at all cones and corners, and stop\n"
+                    "at curves that were there first. A border that nearly lies on isocurves is\n"
+                    "aligned; at other borders, patches can have any shape.\n"
+                    "\n"
+                    "IN is a .obj file, a .ply file with a list 'texcoord' for each face, or - for\n"
+                    "the standard input. OUT is a .obj file with a group of faces for each patch and\n"
+                    "an element 'l' for each side; patches that are no rectangles are also in the\n"
+                    "group 'cut'.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);
     options.add("base-complex", base_complex,
-                "let curves run on where they meet others, to a cone, corner, border, or feature");
+                "let curves cross each other, up to a cone, corner, border, or feature");
     seams.add_repair_to(options);
-    options.add("picture", "FILE", picture, "write a picture of the surface as .svg");
+    options.add("picture", "FILE", picture, "draw the surface, as .svg");
     options.add("report", "R.json", report, "write all figures to a file");
     options.add_alias("svg", "picture");
     if(!options.parse(arguments))

@@ -44,24 +44,23 @@ double misfit(const Kernel::Vector_2& side, Kernel::Vector_2 other)
 void Seam_options::add_to(Options& options)
 {
   options.add("weld", reading.weld,
-              "weld border edges between the same points: for meshes that were cut open along their "
+              "join border edges between the same points, for meshes that were cut open along their "
               "seams");
   options.add("align-border", align_border, "keep border edges on isocurves");
   options.add("features", features, "keep the edges of 'l' elements on isocurves");
   options.add("tolerance", "T", tolerance, {0, 1, true},
               "the largest deviation that counts as inaccuracy, relative to the extent of the "
-              "coordinates (default: 1e-4; where alignment is concerned, 100 times the inaccuracy of "
-              "the seams, from 1e-9 to 1e-4)");
-  options.add("verbose", reading.verbose, "tell of each step on the error stream");
+              "coordinates (default: 1e-4; for alignments, 100 times the inaccuracy of the seams, from "
+              "1e-9 to 1e-4)");
+  options.add("verbose", reading.verbose, "report each step on the error stream");
 }
 
 void Seam_options::add_repair_to(Options& options)
 {
-  options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain, if "
-              "need be by changing the coordinates around them");
+  options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain, "
+              "by changing the coordinates around them if need be");
   options.add("untangling-iterations", "N", untangling_iterations, {0, 1e9},
-              "the largest number of iterations over all faces that the search for these repairs "
-              "takes (default: 400)");
+              "a bound on the work of repairs, in iterations over all faces (default: 400)");
 }
 
 SS::Flip_repair Seam_options::flip_repair() const

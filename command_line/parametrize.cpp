@@ -45,27 +45,28 @@ struct Parametrize_options
   bool parse(const Arguments& arguments)
   {
     Options options("parametrize IN OUT",
-                    "Computes an exactly seamless parametrization of a mesh. IN is a .obj, .ply,\n"
-                    ".off, or .stl file, or one of another format that CGAL reads, or - for the\n"
-                    "standard input; what it holds besides points, faces, and features is not kept,\n"
-                    "and what has to be repaired is told. OUT is a .obj or .ply file, or - for the\n"
-                    "standard output, in the OBJ format.\n");
+                    "Computes an exactly seamless parametrization of a mesh.\n"
+                    "\n"
+                    "IN is a .obj, .ply, .off, or .stl file, a file of another format that CGAL\n"
+                    "reads, or - for the standard input. The program repairs IN if need be, and says\n"
+                    "so. OUT is a .obj or .ply file, or - for the standard output, as OBJ. It has the\n"
+                    "points, faces, and features of IN only.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     features.add_to(options, "align");
     options.add("align-border", align_border, "align border edges");
     options.add("curvature", "STRENGTH", curvature, {0, (std::numeric_limits<double>::max)()},
-                "how strongly to follow the curvature");
+                "how strongly the field follows the curvature (default: 0)");
     options.add("field", "FILE", field,
-                "a direction of the field for each face of IN, as a .rosy or .rawfield\n"
-                "file; where it is 0, the field is smooth, and features go first");
+                "directions of the field for the faces of IN, a .rosy or .rawfield file. Faces with the "
+                "direction 0 are free. Features take precedence");
     reading.add_to(options);
-    options.add("approximate", "APPROX", approximate, "write the input of the snapping, too");
+    options.add("approximate", "APPROX", approximate, "also write the parametrization before it was made exact");
     options.add("overwrite", overwrite, "let OUT replace IN");
     options.add("picture", "FILE", picture,
                 "draw the domain, and the largest gaps before and after, as .svg");
     options.add("report", "R.json", report, "write all figures to a file");
-    options.add("verbose", reading.verbose, "tell of each step");
+    options.add("verbose", reading.verbose, "report each step");
     options.add_alias("svg", "picture");
     if(!options.parse(arguments))
       return false;

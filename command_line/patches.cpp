@@ -78,9 +78,8 @@ bool is_picture(const std::string& filename)
 void add_patches_to(Options& options, std::string& filename)
 {
   options.add("patches", "FILE", filename,
-              "also write the quads in rectangular patches, row by row, as .obj with a group\n"
-              "for each, or draw them as .svg: lines of edges from irregular vertices and\n"
-              "corners divide the surface, and end where they meet others");
+              "also divide the quads into rectangular patches; write them row by row as .obj, with a "
+              "group for each patch, or draw them as .svg");
 }
 
 void check_patch_file(const std::string& filename)

@@ -51,31 +51,30 @@ struct Quad_options
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double largest_number = 1 << 28;
     Options options("quads IN OUT",
-                    "Makes the texture coordinates of a triangle mesh an exact integer-grid map,\n"
-                    "and extracts the quad mesh that it describes: its edges are the lines on which\n"
-                    "a coordinate is an integer. IN is a .obj file, a .ply file with a list\n"
-                    "'texcoord' for each face, or - for the standard input; OUT is a .obj, .off,\n"
-                    "or .ply file, or - for the standard output, in the OBJ format.\n");
+                    "Makes the quads of a parametrization. Their edges are the lines on which a\n"
+                    "coordinate is an integer, after the coordinates were made an exact integer-grid\n"
+                    "map.\n"
+                    "\n"
+                    "IN is a .obj file, a .ply file with a list 'texcoord' for each face, or - for\n"
+                    "the standard input. OUT is a .obj, .off, or .ply file, or - for the standard\n"
+                    "output, as OBJ.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);
     options.add("grid-scale", "K", scale, {0, infinity, true},
                 "multiply the coordinates by K first (default: 1)");
     options.add("number", "N", number, whole_numbers(1, largest_number),
-                "instead, make about N quads: of the coordinates scaled to an area of N, if "
-                "integers are near; else by a quantization, which finds integers for each map "
-                "without flips");
+                "make about N quads. The coordinates are scaled to an area of N and rounded if integers "
+                "are near; otherwise a quantization finds integers");
     options.add("rounding", "D", rounding, {0, infinity},
-                "how far from integers translations, cones, and levels may be that are rounded to "
-                "them (default: 0.01; with --number 0.5, or any distance if nothing else helps)");
+                "the largest distance from integers at which translations, cones, and aligned edges are "
+                "rounded (default: 0.01; with --number 0.5, or any distance if nothing else helps)");
     seams.add_repair_to(options);
     options.add("allow-holes", allow_holes,
-                "leave out the quads around faces that are still flipped, instead of refusing "
-                "them");
+                "leave out the quads around flipped faces instead of refusing the map");
     options.add("soup", soup,
-                "write quads that no mesh of quads can be, as they meet themselves or each other "
-                "twice");
-    options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
+                "also write quads that meet themselves, or meet each other twice");
+    options.add("picture", "FILE", picture, "draw the quads, as .svg");
     add_patches_to(options, patches);
     options.add("report", "R.json", report, "write all figures to a file");
     options.add_alias("quads", "number");

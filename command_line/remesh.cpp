@@ -48,7 +48,7 @@ namespace {
 
 using Sizing_map = Mesh::Property_map<Mesh::Vertex_index, double>;
 
-// Nothing without a name. Throws `Failure`.
+// The plane of a name; none without a name. Throws `Failure`.
 std::optional<Kernel::Plane_3> named_plane(const std::string& name)
 {
   if(name.empty())
@@ -70,7 +70,7 @@ std::optional<Kernel::Plane_3> named_plane(const std::string& name)
   return result;
 }
 
-// The number of squares that are as large as sizes tell.
+// The area of the mesh in squares of the given sizes.
 double area_in_sizes(const Mesh& mesh, const Sizing_map& sizes)
 {
   double result = 0;
@@ -83,7 +83,7 @@ double area_in_sizes(const Mesh& mesh, const Sizing_map& sizes)
   return result;
 }
 
-// That a few of them may be mistakes.
+// A note if sizes vary so much that a few of them may be mistakes.
 std::string note_on_sizes(const Sizing_map& sizes, const Model& model)
 {
   constexpr double much = 1000;
@@ -115,60 +115,55 @@ struct Remesh_options
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double largest_number = 1 << 28;
     Options options("remesh IN OUT",
-                    "Remeshes a mesh with quads only, aligned to borders. IN is a .obj, .ply, .off,\n"
-                    "or .stl file, or one of another format that CGAL reads, or - for the standard\n"
-                    "input; OUT is a .obj, .off, or .ply file, or - for the standard output, in the\n"
-                    "OBJ format. What has to be repaired in IN is told. From .obj to .obj, texture\n"
-                    "coordinates, colors, groups, and materials are carried over, from .ply to .ply\n"
-                    "all properties that are numbers, but normals. A .ply OUT is ASCII, also where\n"
-                    "IN is binary.\n");
+                    "Makes a mesh of quads from a triangle mesh. Quads follow borders and features.\n"
+                    "\n"
+                    "IN is a .obj, .ply, .off, or .stl file, a file of another format that CGAL\n"
+                    "reads, or - for the standard input. The program repairs IN if need be, and says\n"
+                    "so. OUT is a .obj, .off, or .ply file, or - for the standard output, as OBJ. From\n"
+                    ".obj to .obj, the quads get texture coordinates, colors, groups, and materials;\n"
+                    "from .ply to .ply, all properties that are numbers, except normals.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     options.add("number", "N", number, whole_numbers(1, largest_number),
-                "about how many quads to make (default: 10000)");
+                "the wanted number of quads (default: 10000)");
     options.add("edge-length", "L", edge_length, {0, infinity, true},
-                "instead, how long to make their edges");
-    options.add("coarsest", coarsest, "instead, make as few quads as the search finds");
+                "instead of a number, the wanted length of edges");
+    options.add("coarsest", coarsest, "instead of a number, make as few quads as the search finds");
     options.add("maximum-number", "N", maximum_number, whole_numbers(1, largest_number),
-                "refuse to make more quads, where features force them\n"
-                "(default: 100 times the number wanted, and at least 100000);\n"
-                "only this allows --number and --edge-length more than 10 million");
+                "the largest number of quads, in case features force more than wanted (default: 100 "
+                "times the wanted number, and at least 100000); needed for more than 10 million");
     features.add_to(options, "keep",
-                    "how long edges of the quads are to be, for sharp edges; 0\n"
-                    "leaves out none, as do --coarsest and --features");
+                    "the wanted length of edges of quads; 0 with --coarsest and --features");
     options.add("feature-loss", "PART", feature_loss, {0, 1},
-                "the part of the length of these, from 0 to 1, that may be released where they\n"
-                "force quads: those that force most for their length go first (default: 0)");
+                "the part of the length of all features, from 0 to 1, that may be given up if features "
+                "force more quads than wanted (default: 0)");
     double strength = 0, tolerance = 0;
     options.add("curvature", "STRENGTH", strength, {0, (std::numeric_limits<double>::max)()},
-                "how strongly to follow the curvature (0: the smoothest field; 0.002, the default\n"
-                "unless sizes vary: where this costs little, along edges and around round parts;\n"
-                "0.1: for more irregular vertices; 1: as much as smoothness where the radius of\n"
-                "curvature is the length of a triangle's edge)");
+                "how strongly quads follow the curvature. 0: not at all. 0.002, the default unless sizes "
+                "vary: along edges and around round parts. 0.1 and more: with more irregular vertices");
     options.add("border-tolerance", "L", tolerance, {0, infinity},
-                "how far straight lines may be from the border that stand in for it, to have\n"
-                "fewer corners: smaller steps are left out (default: half an edge of the quads\n"
-                "that are wanted; 0, for none, where sizes vary and with --coarsest)");
+                "the largest steps of the border that quads ignore (default: half the wanted length of "
+                "edges; 0, which ignores no step, if sizes vary and with --coarsest)");
     options.add("field", "FILE", field,
-                "a direction of the quads for each face of IN, as a .rosy or .rawfield\n"
-                "file; where it is 0, the field is smooth, and features go first. Equal sizes\n"
-                "compete with it: quads can lie 5 to 10 degrees off, unless --sizes fit it");
+                "directions of the quads for the faces of IN, a .rosy or .rawfield file. Faces with the "
+                "direction 0 are free. Features take precedence. Quads can turn away from the "
+                "directions to keep equal sizes, unless --sizes fit the directions");
     options.add("sizes", "FILE", sizes,
-                "how long to make the edges at each vertex of IN: a text file with a number for\n"
-                "each, or the name of a property of IN, a .ply file. With --number, only ratios\n"
-                "count; with --edge-length, these are multiples of it");
+                "wanted lengths of edges at the vertices of IN: a text file with a number for each "
+                "vertex, or the name of a property if IN is a .ply file. With --number, only ratios "
+                "count; with --edge-length, sizes are multiples of it");
     options.add("adaptivity", "R", adaptivity, {1, (std::numeric_limits<double>::max)()},
-                "make quads up to R times larger where the surface is flat than where it is\n"
-                "curved: by the root of the curvature, smoothed, often no more than 2 to 4 times");
+                "make quads up to R times larger on flat parts than on curved parts; the ratio is often "
+                "2 to 4 only");
     options.add("symmetry", "PLANE", symmetry,
-                "mirror one half: by x, y, or z for a coordinate plane, A,B,C,D for the plane\n"
-                "Ax + By + Cz + D = 0, whose positive side is kept, or auto to find a plane by\n"
-                "which all vertices of IN are symmetric");
+                "mirror one half by a plane: x, y, or z for a coordinate plane; A,B,C,D for the plane "
+                "Ax + By + Cz + D = 0, whose positive side is kept; auto for a plane by which all "
+                "vertices of IN are symmetric");
     reading.add_to(options);
-    options.add("picture", "FILE", picture, "write a picture of the quads as .svg");
+    options.add("picture", "FILE", picture, "draw the quads, as .svg");
     add_patches_to(options, patches);
     options.add("report", "R.json", report, "write all figures to a file");
-    options.add("verbose", reading.verbose, "tell of each step");
+    options.add("verbose", reading.verbose, "report each step");
     options.add_alias("quads", "number");
     options.add_alias("svg", "picture");
     options.exclude({"number", "edge-length", "coarsest"});

@@ -26,13 +26,13 @@ const std::array<Command, 8> commands = {{
   {"snap", "make the parametrization in a file exactly seamless", "", snap},
   {"check", "tell whether the parametrization in a file is exactly seamless", "", check},
   {"parametrize", "compute an exactly seamless parametrization of a mesh", "", parametrize},
-  {"quads", "extract the quad mesh that a parametrization describes",
+  {"quads", "make the quads of a parametrization",
    "; ask for fewer quads by --number", quads},
   {"remesh", "remesh a triangle mesh with quads", "; ask for fewer quads by --number", remesh},
   {"layout", "divide a parametrized surface into rectangles along isocurves", "", layout},
-  {"trace", "trace isocurves from singular vertices, before and after snapping",
+  {"trace", "follow isocurves from singular vertices, before and after snapping",
    "; lower --maximum-number, or leave out --all", trace},
-  {"body", "make a surface of a given genus to try these on", "; raise --edge-length", make_body}
+  {"body", "make a surface of a given genus to try things on", "; raise --edge-length", make_body}
 }};
 
 void print_help(std::ostream& os)
@@ -40,7 +40,7 @@ void print_help(std::ostream& os)
   os << "Usage: seamless COMMAND ...\n\n";
   for(const Command& command : commands)
     os << "  " << std::left << std::setw(13) << command.name << command.purpose << "\n";
-  os << "\nseamless COMMAND --help tells more; seamless --version tells the version.\n\n"
+  os << "\nseamless COMMAND --help shows the options of a command, seamless --version the version.\n\n"
      << exit_statuses;
 }
 

@@ -37,20 +37,20 @@ struct Snap_options
   bool parse(const Arguments& arguments)
   {
     Options options("snap IN OUT",
-                    "Moves the texture coordinates of a triangle mesh, by about as much as they are\n"
-                    "inaccurate, so that they are exactly seamless: across each edge, the\n"
-                    "coordinates on both sides differ by a rotation by a multiple of 90 degrees\n"
-                    "and a translation. Files are .obj files, .ply files with a list 'texcoord' for\n"
-                    "each face, or - for the standard streams. All else in the file stays as it is\n"
-                    "where OUT is of the same format as IN; else materials, normals, colors and\n"
-                    "the like are lost. Tetrahedral meshes are .hexex files: 'seamless snap IN.hexex\n"
-                    "--help' tells their options.\n");
+                    "Makes the texture coordinates of a triangle mesh exactly seamless: across each\n"
+                    "edge, the coordinates of both sides differ by a rotation by a multiple of 90\n"
+                    "degrees and a translation. It moves them by about as much as they are inaccurate.\n"
+                    "\n"
+                    "Files are .obj files, .ply files with a list 'texcoord' for each face, or - for\n"
+                    "the standard streams. If OUT has the format of IN, all else in the file stays as\n"
+                    "it is; otherwise materials, normals, colors and the like are lost. For\n"
+                    "tetrahedral meshes, see 'seamless snap IN.hexex --help'.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);
     seams.add_repair_to(options);
     options.add("float", seams.reading.in_float,
-                "make the coordinates exact as 32-bit floats, for programs that read such numbers");
+                "make the coordinates exact as 32-bit floats, for programs that read floats");
     options.add("overwrite", overwrite, "let OUT replace IN");
     options.add("report", "R.json", report, "write all figures to a file");
     options.add("picture", "FILE", picture,

@@ -58,30 +58,31 @@ struct Trace_options
   bool parse(const Arguments& arguments)
   {
     Options options("trace IN [NAME]",
-                    "Traces the isocurves from the singular vertices of a parametrization, in\n"
-                    "floating point and, after snapping, exactly, and tells how they end. With NAME,\n"
-                    "writes pictures (.svg) and the curves (.obj, .ply) to files whose names begin\n"
-                    "with it, as NAME_overview.svg; or into NAME, if it is a folder. The overview\n"
-                    "shows the first crossings of each curve, about 2000 in all.\n");
+                    "Follows the isocurves from the singular vertices of a parametrization, in\n"
+                    "floating point and, after snapping, exactly, and counts how they end.\n"
+                    "\n"
+                    "With NAME, writes pictures (.svg) and the curves (.obj, .ply) to files whose\n"
+                    "names begin with NAME, such as NAME_overview.svg, or into the folder NAME. The\n"
+                    "overview shows the first crossings of each curve, about 2000 in all.\n");
     options.add_file("input", input);
     options.add_file("output", output, true);
     options.add("exact", "EXACT", exact_input,
-                "the same mesh with an exact map, which else is made by snapping");
+                "the same mesh with an exact map (default: made by snapping)");
     options.add("weld", reading.weld, "weld border edges between the same points");
     options.add("features", features, "align the edges of 'l' elements");
     options.add("align-border", border, "align border edges");
     options.add("constrain", constrain,
-                "snap with what fails as constraints: curves that miss a vertex as connections, "
-                "curves that spiral as cycles");
+                "snap with constraints for failing curves: connections for curves that miss a vertex, "
+                "cycles for curves that spiral");
     options.add("all", starts_at_all_vertices, "start at all vertices, not only at singular ones");
     options.add("maximum-number", "N", maximum_number,
                 {1, (std::numeric_limits<int>::max)()}, "crossings per curve (default: 500)");
     options.add("tolerance", "T", tolerance, {0, 1, true},
-                "relative violation that is accepted (default: 1e-4)");
+                "the largest violation of seams that is accepted, relative to the extent (default: 1e-4)");
     options.add("near", "D", near_by, {0, 1},
-                "relative distance at which a target counts as missed");
+                "the largest distance at which a curve counts as missing a vertex, relative to the extent");
     options.add("report", "R.json", report, "write all figures to a file");
-    options.add("verbose", reading.verbose, "tell of each step on the error stream");
+    options.add("verbose", reading.verbose, "report each step on the error stream");
     if(!options.parse(arguments))
       return false;
     if(output == "-")
