@@ -35,8 +35,8 @@ int main(int argc, char* argv[])
                                       QR::parameters::visitor(show)
                                         .target_number_of_quads(number_of_quads)
                                         .edge_is_constrained_map(is_feature));
-  std::cout << report << "\n"
-            << report.number_of_quads << " quads, " << report.number_of_irregular_vertices
+  std::cout << report << "\n";
+  std::cout << report.number_of_quads << " quads, " << report.number_of_irregular_vertices
             << " irregular vertices; scaled Jacobian: least " << report.least_scaled_jacobian
             << ", mean " << report.mean_scaled_jacobian << std::endl;
   return report && CGAL::IO::write_OFF(output, quads) ? EXIT_SUCCESS : EXIT_FAILURE;
