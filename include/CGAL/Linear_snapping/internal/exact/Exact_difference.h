@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// The difference of two doubles without its rounding error, and comparisons made of it: at about
-// the price of a floating point operation. All need rounding to nearest. And whether a sum of
-// doubles is zero, exactly.
+// The difference of two doubles without its rounding error, comparisons of such differences at
+// about the price of a floating point operation, and an exact test whether a sum of doubles is
+// zero. All need rounding to nearest.
 
 #include <CGAL/Exact_rational.h>
 

@@ -15,10 +15,10 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// What the exact computations of this package need of the processor and of the compiler: sums,
-// differences and roundings of doubles as IEEE 754 defines them. The processor is set to that for
-// the duration of each public function; compiler options that break it are refused, while compiling
-// where the compiler tells, and by a test at run time elsewhere.
+// Exact computations need sums, differences, and roundings of doubles as IEEE 754 defines them.
+// This sets the processor accordingly for the duration of each public function. Compiler options
+// that break it are refused: while compiling if the compiler reveals them, else by a test at run
+// time.
 
 #include <boost/config.hpp>
 

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Coordinates in the domain, and the orientation of triangles there: its exact sign, and bounds on
-// what displacements can do to it.
+// Coordinates in the domain, and the orientation of triangles there: its exact sign, and bounds for
+// displacements that cannot change it.
 
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
 #include <CGAL/determinant.h>

@@ -16,8 +16,8 @@
 #include <CGAL/license/Linear_snapping.h>
 
 // Floating point numbers as decimal text, independent of the locale: `std::from_chars` and
-// `std::to_chars`, or streams where the standard library has these for integers only, as libc++
-// does before version 20.
+// `std::to_chars`, or streams if the standard library has these functions for integers only, as
+// libc++ before version 20.
 
 #include <charconv>
 #include <cstddef>

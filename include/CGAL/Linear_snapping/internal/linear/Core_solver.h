@@ -15,10 +15,10 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// What unit pivots can't reach goes to the complete integer solver; most systems have nothing of
-// the kind. Of large systems it is the rows that the elimination left over. Of others it is all
-// rows as they were given, but for redundant ones: a solution near by in all unknowns is wanted,
-// and implied ones amplify changes of the core.
+// Solves the core of a system, the rows without unit pivots, by the complete integer solver. Most
+// systems have no core. In a large system, the core is the rows that the elimination left. In a
+// small one, it is all given rows that are not redundant: implied unknowns amplify changes of the
+// core, and the solution is to be near in all unknowns.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/linear/Integer_lattice.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// A sparse system C x = b with integer coefficients, as flat rows, and what an elimination leaves
-// of it. Rows of 64-bit integers are the rule; one whose numbers do not fit is kept apart in
+// A sparse system C x = b with integer coefficients, as flat rows, and its echelon form. Rows
+// usually have 64-bit integers; a row whose numbers do not fit is stored separately, in
 // multiprecision.
 
 #include <CGAL/Linear_snapping/internal/exact/checked_integer.h>

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// What the linear solver is given, and what it returns, on grids.
+// The input and the output of the linear solver, on grids.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>

@@ -15,9 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// A linear system, eliminated and factorized once, and solved for many targets. Divided into
-// components that share no unknown: each is solved on a grid of its own, as fine as its values
-// allow, whatever the size of the others.
+// A linear system, eliminated and factorized once, and solved for many targets. It is divided into
+// components that share no unknown. Each component has its own grid, as fine as its values allow.
 
 #include <CGAL/Linear_snapping/internal/linear/Linear_solution.h>
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// How a linear system is divided into components, and their solutions are put together.
+// Divides a linear system into components, and joins their solutions.
 
 #include <CGAL/Linear_snapping/internal/linear/Component_solver.h>
 #include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>

@@ -15,10 +15,10 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// The solver of large sparse systems that need not be exact: CHOLMOD of SuiteSparse where the build
-// system has found it and defines CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE, and Eigen's own
-// elsewhere. CHOLMOD works on dense blocks, which pays where the factor is dense: on large meshes,
-// and where cones couple the two coordinates.
+// The solver of large sparse systems that need not be exact: CHOLMOD of SuiteSparse if the build
+// system finds it and defines CGAL_SEAMLESS_SNAPPING_USE_SUITESPARSE, else Eigen's own. CHOLMOD
+// works on dense blocks, which pays if the factor is dense: on large meshes, and if cones couple
+// the two coordinates.
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

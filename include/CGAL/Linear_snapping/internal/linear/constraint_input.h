@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Reads the forms in which callers give C and b.
+// Reads C and b in all forms that callers may pass.
 
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
 #include <CGAL/Linear_snapping/types/Linear_constraints.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// The elimination of a system, in 64-bit integers or, where these do not suffice, in
-// multiprecision; and which of its rows contradict each other.
+// The elimination of a system, in 64-bit integers or, if these do not suffice, in multiprecision.
+// Finds rows that contradict each other.
 
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
 #include <CGAL/Linear_snapping/internal/linear/Unit_pivot_elimination.h>

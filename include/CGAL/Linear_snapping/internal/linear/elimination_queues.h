@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// What an elimination looks up to choose its pivots: rows by length, and the rows of each column.
+// Tables from which an elimination chooses its pivots: rows by length, and the rows of each column.
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 

@@ -17,8 +17,8 @@
 
 // LLL reduction of a lattice basis: short, nearly orthogonal vectors that span the same lattice.
 // Every operation on the basis is an exact unimodular one, so the lattice stays the same no matter
-// how the floating point numbers that choose the operations are rounded. And the rows of a system,
-// reduced: where rows are nearly parallel, the least-squares problem loses all its digits.
+// how the floating point numbers that choose the operations are rounded. Also reduces the rows of a
+// system, because the least-squares problem loses all its digits if rows are nearly parallel.
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/Orthogonal_frame.h>

@@ -16,8 +16,8 @@
 #include <CGAL/license/Linear_snapping.h>
 
 // A small quadratic program over nonnegative unknowns, in floating point and approximately, by
-// projected overrelaxation. What comes of it is a direction to try, and is checked exactly; so the
-// exact solver of CGAL, whose time grows with the fourth power of the size, is not called for.
+// projected overrelaxation. The result is only a direction to try, which is checked exactly. So
+// there is no need for CGAL's exact solver, whose time grows with the fourth power of the size.
 
 #include <Eigen/Core>
 

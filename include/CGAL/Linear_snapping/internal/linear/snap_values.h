@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// From values to values: looks whether they solve the system already, puts those of each component
-// on a grid, solves there, and checks what comes back.
+// From values to values: checks whether they solve the system already, rounds the values of each
+// component to a grid, solves there, and checks the result.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>

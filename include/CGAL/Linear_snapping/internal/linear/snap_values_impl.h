@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// The steps from values to values, their figures, and the reasons for which they end.
+// The steps from values to values, their figures, and the reasons for a failure.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>

@@ -15,9 +15,10 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// A grid for each unknown, where one for all of them has no solution near by: that of the unknown's
-// own size ([MC19] Sec. 4.3), or a finer one if a right-hand side wants it; then the value has to
-// shrink. Columns are scaled by powers of two; what is left is a lattice with bounds.
+// A grid for each unknown, if one grid for all unknowns has no solution near by. Its spacing comes
+// from the size of the unknown ([MC19] Sec. 4.3). If a right-hand side needs a finer grid, the
+// value has to shrink. Columns are scaled by powers of two; the remaining problem is a lattice with
+// bounds.
 
 #include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Linear_snapping/internal/linear/Component_solver.h>

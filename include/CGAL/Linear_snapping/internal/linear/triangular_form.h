@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Systems that are triangular up to the order of their rows and columns, as those of refinements
-// are: 8 f = a + 6 b + c. Nothing has to be eliminated: the pivots are the unknowns that no later
-// row has, and divide the others, which are multiples of what that takes.
+// Systems that are triangular up to the order of their rows and columns, such as 8 f = a + 6 b + c
+// for refinements. They need no elimination: a pivot is an unknown that no later row has. The other
+// unknowns are multiples of numbers that make all pivots divide.
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Many short lists: the rows of a matrix, or what is sorted by counting.
+// Many short lists in one array, such as the rows of a matrix or the buckets of a counting sort.
 
 #include <boost/range/iterator_range_core.hpp>
 

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// How far a function has come, told to the caller.
+// Tells the caller about the progress of a function.
 
 #include <CGAL/Linear_snapping/types/parameters.h>
 
@@ -30,10 +30,10 @@ namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
 
-// As long as it lives, its thread tells the visitor among the named parameters, or the error stream
-// with `verbose`. Without any, those that are told already still are: so functions that call others
-// need not hand a visitor on. What it throws ends the work: nothing is told once anything of the
-// caller's has been written.
+// While an object lives, its thread reports to the visitor among the named parameters, or to the
+// error stream with `verbose`. Without a visitor, the visitor of an outer object stays, so that
+// functions that call others need not pass it on. An exception of the visitor ends the work.
+// Therefore nothing is reported after data of the caller has been written.
 class Progress
 {
   using Clock = std::chrono::steady_clock;
@@ -53,7 +53,7 @@ public:
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // Tells what `words()` returns. What a visitor calls tells him nothing.
+  // Reports the result of `words()`. Functions that the visitor itself calls report nothing to it.
   template <typename Words>
   static void tell(const Words& words)
   {

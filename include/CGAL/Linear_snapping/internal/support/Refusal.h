@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Why something can't be done: what steps return that can fail, and what ends in reports; and the
-// numbers of things in its words.
+// The failure of a step: outcome, place, reason, and remedy, which become the report. Also formats
+// numbers and counts for messages.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/types/Report.h>

@@ -15,7 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Times the steps of a function into its report, and tells the caller of each.
+// Writes the times of the steps of a function into its report, and tells the caller about each
+// step.
 
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Progress.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Loops over ranges of indices, by one thread or by several. What a chunk computes must depend on
-// its indices alone: then the result does not depend on the number of threads.
+// Loops over ranges of indices, by one thread or by several. The result of a chunk must depend on
+// its indices only: then the total result does not depend on the number of threads.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// Writes exact coordinates to a map of the caller's, all or nothing: what the map had is written
-// back if it throws, or does not keep what is written, which would void the verification.
+// Writes exact coordinates to a map of the caller, all or nothing. If the map throws, or does not
+// keep new values, which would void the verification, the old values are written back.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 

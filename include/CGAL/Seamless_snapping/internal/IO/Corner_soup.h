@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What a file holds, in any format: points, coordinates, faces, and polylines, with the lines they
-// come from.
+// The content of a file, in any format: points, coordinates, faces, and polylines, with their
+// lines.
 
 #include <CGAL/Seamless_snapping/types/File_status.h>
 #include <CGAL/Seamless_snapping/types/Polygon_soup.h>

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Why a file is refused. Never leaves the readers and writers.
+// The reason for refusing a file. Never leaves the readers and writers.
 
 #include <cstddef>
 #include <stdexcept>

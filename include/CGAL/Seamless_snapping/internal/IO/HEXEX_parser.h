@@ -16,7 +16,7 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The tokens of a file in the HEXEX format: a tetrahedral mesh with coordinates per corner. Some
-// files hold these as fractions of integers, which are read as the nearest doubles.
+// files have fractions of integers as coordinates, which are read as the nearest doubles.
 
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The text of an OBJ file as a triangle soup, or, where coordinates of type `void` are asked for,
-// as a polygon soup without coordinates. Checks each statement, and no relation between statements
+// The text of an OBJ file as a triangle soup or, for coordinates of type `void`, as a polygon soup
+// without coordinates. Checks each statement, and no relation between statements
 // but that indices are in range.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>

@@ -15,11 +15,11 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The text of an OBJ file with other texture coordinates, and all else as it was to the byte.
+// The text of an OBJ file with other texture coordinates. The rest stays as it is, byte for byte.
 //
-// A `vt` statement keeps its place, and its digits if its numbers stay. Where corners that share
-// one are to have different coordinates, further statements follow it; later ones then have higher
-// indices.
+// A `vt` statement keeps its place, and its digits if its numbers stay. If corners that share a
+// statement get different coordinates, further statements follow it; later statements then have
+// higher indices.
 
 #include <CGAL/Linear_snapping/internal/support/Lists.h>
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>

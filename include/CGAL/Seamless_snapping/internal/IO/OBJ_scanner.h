@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The text of an OBJ file as statements and tokens. Knows where lines end, and nothing of what the
-// statements mean.
+// The text of an OBJ file as statements and tokens. Knows the ends of lines, but not the meaning of
+// statements.
 
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 

@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The text of a PLY file as a triangle soup. Coordinates per corner are those that MeshLab writes:
-// a list `texcoord` of six numbers for each face. Where coordinates of type `void` are asked for, a
-// polygon soup without coordinates.
+// The text of a PLY file as a triangle soup, with coordinates per corner as MeshLab writes them: a
+// list `texcoord` of six numbers for each face. For coordinates of type `void`, a polygon soup
+// without coordinates.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>

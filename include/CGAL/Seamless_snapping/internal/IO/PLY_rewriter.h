@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The text of a PLY file with other texture coordinates, and all else as it was to the byte, but
-// for the type of the coordinates: `float` becomes `double` where it has to.
+// The text of a PLY file with other texture coordinates. The rest stays as it is, byte for byte.
+// Only the type of the coordinates can change, from `float` to `double`.
 
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The numbers of a file: decimals to floating point and back, and what is refused.
+// The numbers of a file: from decimals to floating point and back, and the refusal of other words.
 
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>

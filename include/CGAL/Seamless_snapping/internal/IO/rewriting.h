@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What the functions that write files share: a copy of a text in which parts are replaced, and
+// Tools of the functions that write files: a copy of a text in which parts are replaced, and
 // corners that share a place.
 
 #include <array>

@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What is left of a parametrization when all that no constraint concerns is taken away: the sectors
-// at cuts and aligned edges, and how these link them ([MC19] Sec. 5.3). It knows no mesh and no uv
-// map: a reader fills it, and rows, exact coordinates, and the verification are functions of it.
+// The part of a parametrization with constraints: the sectors at cuts and aligned edges, and their
+// links ([MC19] Sec. 5.3). It knows no mesh and no uv map: a reader fills it, and rows, exact
+// coordinates, and the verification are functions of it.
 
 #include <CGAL/Linear_snapping/internal/support/Lists.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// How the equations are eliminated, exactly, to find the free unknowns.
+// Eliminates the equations exactly to find the free unknowns.
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_lattice.h>
 #include <CGAL/Linear_snapping/internal/linear/eliminate.h>

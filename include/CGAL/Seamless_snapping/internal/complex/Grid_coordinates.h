@@ -17,7 +17,7 @@
 
 // The coordinates of sectors on the grids of the components they belong to. A component is a part
 // of the reduced system that shares no unknown with others: each has a grid of its own, as fine as
-// its coordinates allow. And what the linear solver is to approximate there.
+// its coordinates allow. Also the target of the linear solver.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>

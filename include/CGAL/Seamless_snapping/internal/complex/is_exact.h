@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The verification: whether coordinates satisfy all that a complex asks for, exactly. It knows the
-// values as they will be written, and nothing of how they were found.
+// The verification: whether coordinates satisfy all equations of a complex, exactly. It knows the
+// final values, but not the way in which they were found.
 
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>

@@ -16,7 +16,7 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The branches of [MC19] Sec. 5.3: the chains into which nodes divide a set of edges, cut or
-// aligned; and how a complex gets those of a mesh.
+// aligned. Adds the branches of a mesh to a complex.
 
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A mesh, a uv map, and indices of vertices as one: all that the steps of snapping ask of them.
+// A mesh, a uv map, and indices of vertices as one: all functions that the steps of snapping need.
 // These are templates of a `Surface` with the functions below: of this one, or of a copy in plain
 // arrays, a `Flat_surface`.
 

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What named parameters tell of a mesh: indices of vertices, transitions that are known, edges to
+// The named parameters that describe a mesh: indices of vertices, known transitions, edges to
 // align, and further constraints.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>

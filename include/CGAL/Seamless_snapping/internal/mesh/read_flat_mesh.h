@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Reads a mesh of any type into a flat one, and finds what is not a triangulated manifold.
+// Reads a mesh of any type into a flat one, and finds elements that are not triangulated manifolds.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/for_each_chunk.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Gives free points around flipped faces new places, each in the middle of its neighbors: where the
-// input's tell nothing, as after wrong numbers in a file.
+// Moves free points around flipped faces into the middle of their neighbors. This helps if the
+// coordinates of the input are useless, for example after wrong numbers in a file.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>

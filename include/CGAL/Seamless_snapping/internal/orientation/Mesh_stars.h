@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Reads from a mesh what repairs of orientations ask for.
+// Reads the faces around vertices from a mesh, for repairs of orientations.
 
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The points of the domain whose coordinates repairs of orientations may change, and how far apart
-// the numbers are that they can take.
+// The points of the domain whose coordinates repairs of orientations may change, and the spacing of
+// their coordinates.
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>

@@ -15,12 +15,12 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The exact solution nearest to the input, among those that keep some faces positive: for what
-// single vertices can't repair, such as slivers at cones. A quadratic program over all sectors and
-// the vertices of these faces, with one linearized condition per face. In its dual, the multipliers
-// of the conditions are forces that shift the targets of the faces' corners; so the program has
-// only as many unknowns as faces, needs no neighborhood to be chosen, and the ordinary exact
-// solution for the shifted targets takes its solution to the grid.
+// The exact solution nearest to the input that keeps some faces positive. It repairs faces that
+// moves of single vertices can't repair, such as slivers at cones. A quadratic program over all
+// sectors and the vertices of these faces, with one linearized condition per face. In its dual, the
+// multipliers of the conditions are forces that shift the targets of the faces' corners; so the
+// program has only as many unknowns as faces, needs no neighborhood to be chosen, and the ordinary
+// exact solution for the shifted targets takes its solution to the grid.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/linear/nonnegative_program.h>

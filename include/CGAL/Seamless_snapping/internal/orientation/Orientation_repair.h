@@ -16,7 +16,7 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 // The step after the exact solution ([MC19] Sec. 5.4): finds the faces that lost their positive
-// orientation, exactly, and gives it back to them where an exact solution near by has it.
+// orientation, exactly, and restores it if an exact solution near by allows this.
 
 #include <CGAL/Seamless_snapping/internal/orientation/Free_point_relaxation.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Kernel_moves.h>

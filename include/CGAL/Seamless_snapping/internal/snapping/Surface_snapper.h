@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The function `snap_to_seamless()`, a step a line: what each step returns is all that the next
-// ones know of it.
+// The function `snap_to_seamless()`, one line for each step. Later steps know only the results of
+// earlier ones.
 
 #include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>

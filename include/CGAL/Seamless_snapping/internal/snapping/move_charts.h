@@ -15,10 +15,10 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Where a chart lies means nothing: moving it changes no edge vector. So charts are moved to where
-// rounding to integers may change less. The translations across a tree of cuts
-// become integers; what is left to choose for each connected part is one vector for all its charts,
-// turned with them. It brings one of the cones and levels to an integer: the one that is best for
+// The place of a chart has no meaning, because moving it changes no edge vector. So this moves
+// charts to places at which rounding to integers changes less. The translations across a tree of
+// cuts become integers. For each connected part, there remains one vector for all its charts,
+// turned with them. It brings one of the cones and levels to an integer, the one that is best for
 // the others. So a map that is an integer-grid map up to such moves needs no rounding at all.
 
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
