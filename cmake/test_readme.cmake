@@ -1,6 +1,7 @@
 # What README.md shows is so: its programs compile as they stand and print what it says, its
 # commands run, its CMake code is that of a project that is tested, with the last program
-# (test_consumer.cmake). Run by ctest, with the variables
+# (test_consumer.cmake). The C++ code in the pages of the manuals compiles: programs as they stand,
+# pieces of programs in snippets.cpp.in. Run by ctest, with the variables
 # PACKAGE_SOURCE_DIR, WORK_DIR, COMPILER, INCLUDE_PATH (of CGAL, where the compiler does not find
 # it) and, if it is built, PROGRAM_DIR (the folder of the program seamless).
 
@@ -95,3 +96,32 @@ endforeach()
 if(PROGRAM_DIR)
   run("${CMAKE_COMMAND}" -E env "PATH=${PROGRAM_DIR}:$ENV{PATH}" sh -e -c "${commands}")
 endif()
+
+file(GLOB pages "${PACKAGE_SOURCE_DIR}/doc/*/*.txt")
+set(pieces "")
+set(number_of_pieces 0)
+foreach(page IN LISTS pages)
+  file(READ "${page}" text)
+  string(REPLACE "\\code{.cpp}" "```cpp" text "${text}")
+  string(REPLACE "\\endcode" "```" text "${text}")
+  get_filename_component(name "${page}" NAME_WE)
+  next_block()
+  while(NOT language STREQUAL "")
+    if(language STREQUAL "cpp" AND content MATCHES "int main\\(")
+      file(WRITE "${WORK_DIR}/app_${name}.cpp" "${content}")
+      string(REPLACE "app" "app_${name}" command "${compile_command}")
+      string(REPLACE "-O0" "-fsyntax-only" command "${command}")
+      run("${CMAKE_COMMAND}" -E env "CPLUS_INCLUDE_PATH=${INCLUDE_PATH}" sh -c "${command}")
+    elseif(language STREQUAL "cpp" AND NOT content MATCHES "^template") # but for signatures
+      math(EXPR number_of_pieces "${number_of_pieces} + 1")
+      string(APPEND pieces
+        "int piece_${number_of_pieces}() // of ${name}\n{\n${content}\nreturn 0;\n}\n")
+    endif()
+    next_block()
+  endwhile()
+endforeach()
+configure_file("${CMAKE_CURRENT_LIST_DIR}/snippets.cpp.in" "${WORK_DIR}/app_pieces.cpp" @ONLY)
+string(REPLACE "app" "app_pieces" command "${compile_command}")
+string(REPLACE "-O0" "-fsyntax-only" command "${command}")
+run("${CMAKE_COMMAND}" -E env "CPLUS_INCLUDE_PATH=${INCLUDE_PATH}" sh -c "${command}")
+message("${number_of_pieces} pieces of the manuals compile")

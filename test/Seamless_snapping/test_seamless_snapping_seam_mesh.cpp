@@ -7,7 +7,9 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Orbifold_Tutte_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/generators.h>
@@ -61,6 +63,46 @@ Vertex nearest_vertex(const Mesh& mesh, const Point_3& p)
   });
 }
 
+// The parametrizer writes one halfedge per vertex of the seam mesh only.
+UV_map uv_of_all_corners(Mesh& mesh, const Seam_mesh& seam_mesh, const UV_map& seam_uv)
+{
+  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  for(const auto h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      put(uv, h, get(seam_uv, target(Seam_halfedge(h), seam_mesh).hd));
+  return uv;
+}
+
+// Of a surface that is cut anyhow, the two sides of the cut get other lengths: the message says so,
+// and which maps are seamless; it does not advise a larger tolerance.
+void test_free_border(const unsigned int seed)
+{
+  const std::string context = "free border, seed " + std::to_string(seed);
+  Mesh mesh = ball(300, seed);
+  const auto seam_edges = mesh.add_property_map<Edge, bool>("e:on_seam", false).first;
+  const auto seam_vertices = mesh.add_property_map<Vertex, bool>("v:on_seam", false).first;
+  Seam_mesh seam_mesh(mesh, seam_edges, seam_vertices);
+  const std::vector<Vertex> ends{nearest_vertex(mesh, { 1, 0, 0 }),
+                                 nearest_vertex(mesh, { 0, 1, 0 }),
+                                 nearest_vertex(mesh, { -1, 0, 0 })};
+  std::list<Edge> seam;
+  SMP::compute_shortest_paths_between_cones(mesh, ends.begin(), ends.end(), seam);
+  for(const Edge e : seam)
+    seam_mesh.add_seam(mesh.vertex(e, 0), mesh.vertex(e, 1));
+  const UV_map seam_uv =
+    mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:seam_uv").first;
+  const auto border = CGAL::Polygon_mesh_processing::longest_border(seam_mesh).first;
+  const auto error =
+    SMP::parameterize(seam_mesh, SMP::LSCM_parameterizer_3<Seam_mesh>(), border, seam_uv);
+  CHECK_IN(context, error == SMP::OK);
+  const auto uv = uv_of_all_corners(mesh, seam_mesh, seam_uv);
+  const auto report = CGAL::Seamless_snapping::snap_to_seamless(mesh, uv);
+  CHECK_IN(context, report.status == SS::Outcome::NOT_SEAMLESS);
+  CHECK_IN(context + ": " + report.message,
+           report.message.find("leave the border of a cut surface free") != std::string::npos);
+  CHECK_IN(context, report.message.find("raise the tolerance") == std::string::npos);
+}
+
 void test_orbifold(SMP::Orbifold_type type, std::size_t number_of_cones, unsigned int seed)
 {
   const std::string context =
@@ -88,7 +130,6 @@ void test_orbifold(SMP::Orbifold_type type, std::size_t number_of_cones, unsigne
   std::unordered_map<Seam_vertex, SMP::Cone_type> cone_types;
   SMP::locate_cones(seam_mesh, cones.begin(), cones.end(), cone_types);
 
-  // the parametrizer writes one halfedge per vertex of the seam mesh only
   const UV_map seam_uv =
     mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:seam_uv").first;
   const SMP::Error_code error =
@@ -96,10 +137,7 @@ void test_orbifold(SMP::Orbifold_type type, std::size_t number_of_cones, unsigne
       .parameterize(seam_mesh, CGAL::Polygon_mesh_processing::longest_border(seam_mesh).first,
                     cone_types, seam_uv, boost::make_assoc_property_map(indices));
   CHECK_IN(context, error == SMP::OK);
-  const auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
-  for(const auto h : mesh.halfedges())
-    if(!mesh.is_border(h))
-      put(uv, h, get(seam_uv, target(Seam_halfedge(h), seam_mesh).hd));
+  const auto uv = uv_of_all_corners(mesh, seam_mesh, seam_uv);
 
   const auto transitions = SS::seam_transitions(mesh, uv);
   CHECK_IN(context + ": " + transitions.message(), bool(transitions));
@@ -133,5 +171,7 @@ int main()
     test_orbifold(SMP::Square, 3, seed);
     test_orbifold(SMP::Parallelogram, 4, seed);
   }
+  for(unsigned int seed = 1; seed <= 3; ++seed)
+    test_free_border(seed);
   return report_checks();
 }

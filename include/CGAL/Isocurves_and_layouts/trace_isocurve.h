@@ -204,7 +204,8 @@ if it is traced in floating point, possibly by a failure (see `Isocurve_status`)
        `trace_isocurve()`
 
 \return the past-the-end output iterator. If `trace_isocurve()` would return the status
-        `Isocurve_status::NOT_EXACT`, a single curve with this status is written.
+        `Isocurve_status::NOT_EXACT`, a single curve with this status and without points is written.
+        Before you count curves, call `is_failure()` with the status of each.
 
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 

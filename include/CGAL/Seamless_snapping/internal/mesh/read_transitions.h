@@ -257,6 +257,9 @@ private:
     return true;
   }
 
+  // In terms of the extent; solvers and printed digits leave less.
+  static constexpr double far_from_seamless = 1e-3;
+
   // A residual beyond the tolerance is an error that names the edge, never a guess.
   bool check_residuals(Data& data) const
   {
@@ -281,7 +284,13 @@ private:
     }
     if(worst == nullptr)
       return true;
-    const std::string hint = hint_on_other_symmetry(data);
+    std::string hint = hint_on_other_symmetry(data);
+    if(hint.empty() && 2 * count > data.edges.size() &&
+       worst_violation > far_from_seamless * (data.extent * m_scale))
+      hint = "; most of " + counted(data.edges.size(), "cut edge") + " miss by so much that this "
+             "is no inaccuracy: parametrizations that leave the border of a cut surface free, such "
+             "as ARAP and LSCM, are not seamless; compute an orbifold embedding, an integer-grid "
+             "map, or a map that is aligned to a cross field";
     fail(data, Outcome::NOT_SEAMLESS, worst->halfedge,
          " has sides that differ by " + short_number(worst_violation / (data.extent * m_scale)) +
          " of the extent, more than the tolerance of " + short_number(m_tolerance) +
