@@ -179,7 +179,7 @@ constexpr int number_of_directions =
 \ingroup PkgIsocurvesAndLayoutsTracing
 
 traces isocurves on a parametrized mesh. The constructor reads the mesh and the parametrization
-once, into arrays of its own; it is to be preferred to `trace_isocurve()` wherever many curves are
+once, into arrays of its own; use it instead of `trace_isocurve()` if many curves are
 traced. Tracing does not modify the object: several threads can use it at a time. It stays valid as
 long as the mesh is neither modified nor destroyed; the parametrization is not read again.
 

@@ -180,7 +180,7 @@ faces are added in the order of nodes, arcs, and patches.
         More nodes, by `vertex_is_constrained_map` of `motorcycle_graph()`, may help.
 
 \par Complexity
-Linear in the number of nodes, arcs, and patches, but for a logarithmic factor.
+Linear in the number of nodes, arcs, and patches, except for a logarithmic factor.
 */
 template <typename TriangleMesh, typename PolygonMesh,
           typename NamedParameters1 = CGAL::parameters::Default_named_parameters,

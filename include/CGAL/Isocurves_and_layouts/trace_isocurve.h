@@ -85,8 +85,8 @@ If the map is not exactly seamless, nothing is traced, and the status is
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
-       `target(h)`. Values of border halfedges are not read.
+\param uv_map the coordinates of each corner; halfedge `h` is the key of the corner of `face(h)` at
+       `target(h)`. Border halfedges are not read.
 \param start the start of the curve; `Isocurve_tracer::outgoing()` lists the curves that leave a
        vertex
 \param direction the direction in which it starts, in the chart of `face(start.halfedge)`
@@ -132,7 +132,7 @@ If the map is not exactly seamless, nothing is traced, and the status is
   \cgalParamNBegin{rotational_symmetry}
     \cgalParamDescription{the rotations that transitions may have. With N = 3 and 6, coordinates are
                           lattice coordinates, and there are six directions. Not read by the
-                          functions of `Isocurve_tracer`, but for its constructor.}
+                          functions of `Isocurve_tracer`, except for its constructor.}
     \cgalParamType{`Rotational_symmetry<N>`}
     \cgalParamDefault{`Rotational_symmetry<4>()`}
   \cgalParamNEnd

@@ -286,8 +286,8 @@ border loops and components, and the genus.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh a triangle mesh
-\param uv_map the coordinates of each corner: that at `target(h)` in `face(h)` is written for the
-       halfedge `h`. Border halfedges are not touched.
+\param uv_map receives the coordinates of each corner; halfedge `h` is the key of the corner of
+       `face(h)` at `target(h)`. Border halfedges are not touched.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below
 

@@ -65,8 +65,8 @@ nothing is written. The result is the same, to the bit, for any number of thread
 \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
-       `target(h)`. Values of border halfedges are not read.
+\param uv_map the coordinates of each corner; halfedge `h` is the key of the corner of `face(h)` at
+       `target(h)`. Border halfedges are not read.
 \param quads the mesh that the quads are added to
 \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below, and the parameters of `seam_transitions()`; `rotational_symmetry` must be of order 4,

@@ -180,21 +180,21 @@ with order 6, isocurves of \f$ u + v \f$ count as well.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
-       `target(h)`. Values of border halfedges are not read.
+\param uv_map the coordinates of each corner; halfedge `h` is the key of the corner of `face(h)` at
+       `target(h)`. Border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below, and the parameters of `seam_transitions()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the edges that are to lie on lines of the grid}
+    \cgalParamDescription{the edges that must lie on lines of the grid}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
     \cgalParamDefault{no edge is}
   \cgalParamNEnd
   \cgalParamNBegin{align_border}
-    \cgalParamDescription{whether all border edges are to lie on lines of the grid}
+    \cgalParamDescription{whether all border edges must lie on lines of the grid}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

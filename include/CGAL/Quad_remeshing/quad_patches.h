@@ -96,7 +96,7 @@ quads, and that each quad is in one patch.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{the feature edges, which are to lie between patches}
+    \cgalParamDescription{the feature edges, which lie between patches in the result}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value
                    type}

@@ -201,17 +201,17 @@ the function returns the best result so far, and the message says so.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{target_number_of_quads}
-    \cgalParamDescription{about how many quads there are to be, from 1 to \f$ 2^{28} \f$}
+    \cgalParamDescription{the wanted number of quads, from 1 to \f$ 2^{28} \f$}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{10000}
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
-    \cgalParamDescription{instead of their number, the length of the quads' edges}
+    \cgalParamDescription{the wanted length of edges of quads, instead of a number}
     \cgalParamType{`double`}
     \cgalParamDefault{not used; `1` with `vertex_sizing_map` and without a number}
   \cgalParamNEnd
   \cgalParamNBegin{minimize_number_of_quads}
-    \cgalParamDescription{whether there are to be as few quads as are found}
+    \cgalParamDescription{whether to make as few quads as the search finds}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

@@ -249,20 +249,20 @@ work.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner: that of halfedge `h` is the corner of `face(h)` at
-       `target(h)`. Values of border halfedges are not read.
+\param uv_map the coordinates of each corner; halfedge `h` is the key of the corner of `face(h)` at
+       `target(h)`. Border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below, and the parameters of `seam_transitions()`; `rotational_symmetry` must be of order 4,
        2, or 1
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{target_number_of_quads}
-    \cgalParamDescription{about how many quads there are to be, from 1 to \f$ 2^{28} \f$}
+    \cgalParamDescription{the wanted number of quads, from 1 to \f$ 2^{28} \f$}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{10000}
   \cgalParamNEnd
   \cgalParamNBegin{target_edge_length}
-    \cgalParamDescription{instead of their number, the length of the quads' edges in space}
+    \cgalParamDescription{the wanted length of edges of quads, instead of a number}
     \cgalParamType{`double`}
     \cgalParamDefault{not used; `1` with `vertex_sizing_map` and without a number}
   \cgalParamNEnd
@@ -276,7 +276,7 @@ work.
     \cgalParamDefault{`1` everywhere}
   \cgalParamNEnd
   \cgalParamNBegin{minimize_number_of_quads}
-    \cgalParamDescription{whether there are to be as few quads as are found. Then the other targets
+    \cgalParamDescription{whether to make as few quads as the search finds. Then the other targets
                           are not used.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
