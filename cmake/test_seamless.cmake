@@ -270,6 +270,9 @@ file(STRINGS "${WORK_DIR}/repaired.obj" lines REGEX "^f 1/[0-9]+ 3/[0-9]+ 2/[0-9
 expect("the surface was turned inside out" lines)
 expect_repair(twice.off "OFF\n5 5 0\n${points}${body}3 2 0 4\n3 1 4 0\n"
   "1 face was removed that had the corners of others" removed_duplicate_faces 1)
+# a fin of two faces, turned either way, is a sheet of its own
+expect_repair(fin.off "OFF\n5 6 0\n${points}${body}3 2 0 4\n3 0 1 3\n3 1 0 3\n"
+  "1 face was removed that had the corners of others, 1 edge was cut" removed_duplicate_faces 1)
 expect_repair(degenerate.off "OFF\n5 5 0\n${points}${body}3 2 0 4\n3 1 1 0\n"
   "1 face was removed that had less than three different corners" removed_degenerate_faces 1)
 # a piece by itself, and one that is cut off, as three faces share an edge
@@ -859,7 +862,25 @@ expect_message("${err}" "'qualty' is neither a number at each vertex of sheet.pl
 file(WRITE "${WORK_DIR}/far.off" "OFF\n4 4 0\n1e200 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n\
 3 0 3 1\n3 1 3 2\n")
 seamless(1 remesh far.off far_quads.off --number 50)
+expect_message("${err}" "face 0 has a vertex at (1e+200, 0, 0), which is a million times as far")
+file(WRITE "${WORK_DIR}/near.off" "OFF\n4 4 0\n1e-60 0 0\n0 0 0\n0 1 0\n0 0 1\n3 0 1 2\n\
+3 0 2 3\n3 0 3 1\n3 1 3 2\n")
+seamless(1 remesh near.off far_quads.off --number 50)
 expect_message("${err}" "has an edge more than 1e50 times as long as the shortest")
+
+# a small closed piece, and one that is open: the first is left out, and the size of the second told
+file(WRITE "${WORK_DIR}/pieces.off" "OFF\n13 11 0\n0 0 0\n4 0 0\n4 3 0\n0 3 0\n\
+9 0 0\n9.001 0 0\n9.001 0.001 0\n\
+7.01 0 0\n7 0.01 0\n6.99 0 0\n7 -0.01 0\n7 0 0.01\n7 0 -0.01\n\
+3 0 1 2\n3 0 2 3\n3 4 5 6\n3 7 8 11\n3 8 9 11\n3 9 10 11\n3 10 7 11\n\
+3 8 7 12\n3 9 8 12\n3 10 9 12\n3 7 10 12\n")
+seamless(0 remesh pieces.off pieces_quads.off --number 50 --report pieces.json)
+expect_message("${out}" "left out: 1 small closed piece, of area 0.00069282; --area-threshold 0")
+expect_message("${out}" "warning: the piece with face 2 has 3 quads in place of ")
+file(READ "${WORK_DIR}/pieces.json" json)
+expect_message("${json}" "\"number_of_parts_left_out\": 1")
+seamless(0 remesh pieces.off pieces_quads.off --number 50 --area-threshold 1e-5)
+expect("left out: ${out}" NOT out MATCHES "left out")
 
 # no figures of an earlier run stay where the input can't be read
 file(WRITE "${WORK_DIR}/stale.json" "stale")

@@ -239,6 +239,23 @@ Faces_by_corners faces_like_others(const Surface_soup& surface)
   return result;
 }
 
+// Removes all other faces. Returns how many.
+std::size_t keep_faces(const std::vector<char>& is_kept, Surface_soup& surface)
+{
+  std::size_t n = 0;
+  for(std::size_t i = 0; i < is_kept.size(); ++i)
+    if(is_kept[i]) {
+      surface.polygons[n] = surface.polygons[i];
+      if(!surface.is_turned.empty())
+        surface.is_turned[n] = surface.is_turned[i];
+      surface.file_faces[n++] = surface.file_faces[i];
+    }
+  surface.polygons.resize(n);
+  surface.file_faces.resize(n);
+  surface.is_turned.resize(surface.is_turned.empty() ? 0 : n);
+  return is_kept.size() - n;
+}
+
 // Keeps the first of the faces that have the same corners, but both faces of a wall.
 void remove_duplicate_faces(Surface_soup& surface, Repairs& repairs)
 {
@@ -250,15 +267,7 @@ void remove_duplicate_faces(Surface_soup& surface, Repairs& repairs)
   for(const auto& [corners, faces] : by_corners)
     for(const std::size_t f : faces)
       is_kept[f] = char(f == faces.front() || is_wall[f]);
-  std::size_t n = 0;
-  for(std::size_t i = 0; i < surface.polygons.size(); ++i)
-    if(is_kept[i]) {
-      surface.polygons[n] = surface.polygons[i];
-      surface.file_faces[n++] = surface.file_faces[i];
-    }
-  repairs.duplicate_faces = surface.polygons.size() - n;
-  surface.polygons.resize(n);
-  surface.file_faces.resize(n);
+  repairs.duplicate_faces = keep_faces(is_kept, surface);
 }
 
 // Makes two border edges between the same places one, as those of a mesh that was cut open. Bodies
@@ -697,6 +706,17 @@ bool has_area(const Surface_soup& surface, const Polygon& polygon)
   return false;
 }
 
+// Pieces of one face and its back, as fins are once they are cut off: no map has such a piece, but
+// the face is a sheet by itself.
+void remove_backs(Surface_soup& surface, Repairs& repairs)
+{
+  std::vector<char> is_kept(surface.polygons.size(), 1);
+  for(const auto& [corners, faces] : faces_like_others(surface))
+    for(std::size_t i = 1; i < faces.size(); ++i)
+      is_kept[faces[i]] = 0;
+  repairs.duplicate_faces += keep_faces(is_kept, surface);
+}
+
 // Removes the pieces none of whose faces has an area.
 void remove_flat_pieces(const Polygon_soup& soup, Surface_soup& surface, Repairs& repairs)
 {
@@ -811,6 +831,7 @@ Surface_soup make_surface(const Polygon_soup& soup, Repairs& repairs)
   add_points(soup, surface);
   cut_and_turn(surface);
   check_and_count_cuts(surface, repairs);
+  remove_backs(surface, repairs);
   remove_flat_pieces(soup, surface, repairs);
   return surface;
 }

@@ -106,7 +106,7 @@ struct Remesh_options
   Plain_reading_options reading;
   double number = 10000, maximum_number = 0, edge_length = 0, feature_loss = 0, adaptivity = 1;
   Feature_options features;
-  std::optional<double> curvature, border_tolerance;
+  std::optional<double> curvature, border_tolerance, area_threshold;
   bool coarsest = false, leaves_out_noise = false;
 
   // Returns whether there is something to do.
@@ -137,13 +137,17 @@ struct Remesh_options
     options.add("feature-loss", "PART", feature_loss, {0, 1},
                 "the part of the length of all features, from 0 to 1, that may be given up if features "
                 "force more quads than wanted (default: 0)");
-    double strength = 0, tolerance = 0;
+    double strength = 0, tolerance = 0, area = 0;
     options.add("curvature", "STRENGTH", strength, {0, (std::numeric_limits<double>::max)()},
                 "how strongly quads follow the curvature. 0: not at all. 0.002, the default unless sizes "
                 "vary: along edges and around round parts. 0.1 and more: with more irregular vertices");
     options.add("border-tolerance", "L", tolerance, {0, infinity},
                 "the largest steps of the border that quads ignore (default: half the wanted length of "
                 "edges; 0, which ignores no step, if sizes vary and with --coarsest)");
+    options.add("area-threshold", "A", area, {0, infinity},
+                "leave out closed pieces of less area, except for the largest piece (default: the area "
+                "of a quad, for pieces that are much smaller than the largest; 0, which leaves out "
+                "none, with --coarsest)");
     options.add("field", "FILE", field,
                 "directions of the quads for the faces of IN, a .rosy or .rawfield file. Faces with the "
                 "direction 0 are free. Features take precedence. Quads can turn away from the "
@@ -175,6 +179,8 @@ struct Remesh_options
       curvature = strength;
     if(options.is_given("border-tolerance"))
       border_tolerance = tolerance;
+    if(options.is_given("area-threshold"))
+      area_threshold = area;
     check_quad_file(output);
     if(!sizes.empty() && !options.is_given("number") && !options.is_given("edge-length") &&
        !coarsest)
@@ -200,6 +206,12 @@ struct Remesh_options
     if(edge_length == 0)
       return size.unscaled(std::sqrt(PMP::area(mesh) / number));
     return edge_length * std::sqrt(PMP::area(mesh) / area_in_sizes(mesh, sizes_of_vertices));
+  }
+
+  double number_wanted(const Mesh& mesh, const Sizing_map& sizes_of_vertices) const
+  {
+    return edge_length > 0 ? area_in_sizes(mesh, sizes_of_vertices) / edge_length / edge_length
+                           : number;
   }
 
   double most_quads() const { return maximum_number > 0 ? maximum_number : most_faces; }
@@ -267,6 +279,23 @@ void check_edge_length(const Remesh_options& options, const Mesh& mesh, const Si
                         by_edge_length(number, most) + "; --maximum-number allows more", most);
 }
 
+// Throws `Failure` if there are more than twice as many quads as wanted, though neither features nor
+// the topology force them.
+void check_number_of_quads(const Remesh_options& options, const double wanted,
+                           const QR::Remeshing_report& report, const Topology& input)
+{
+  constexpr double of_part = 6, of_handle = 9; // about as many take a closed one
+  const auto parts = double(input.number_of_parts);
+  const double handles = (2 * parts - double(input.number_of_border_loops) -
+                          double(input.euler_characteristic)) / 2;
+  const double most = 2 * (std::max)(wanted, of_part * parts + of_handle * handles);
+  if(!options.coarsest &&
+     double(report.number_of_quads) - double(report.number_of_forced_quads) > most)
+    throw Failure(STILL_FLIPPED, options.output + ": written, but " +
+                                   counted(report.number_of_quads, "quad") +
+                                   " are more than twice as many as wanted");
+}
+
 QR::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
                                 const Direction_map& directions, const Sizing_map& sizes,
                                 const std::optional<Kernel::Plane_3>& plane, Located_quads& quads)
@@ -278,6 +307,7 @@ QR::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
                    .curvature_alignment(options.curvature).face_direction_map(directions)
                    .curvature_adaptivity(options.adaptivity).vertex_sizing_map(sizes)
                    .border_tolerance(options.border_tolerance)
+                   .area_threshold(options.area_threshold)
                    .symmetry_plane(plane).minimize_number_of_quads(options.coarsest)
                    .verbose(options.reading.verbose).maximum_feature_loss(options.feature_loss)
                    .target_number_of_quads(static_cast<std::size_t>(options.number));
@@ -330,6 +360,34 @@ std::string note_on_plane(const Remesh_options& options,
   os << "note: the mesh is not symmetric by --symmetry: images of vertices are up to " << distance
      << " off the nearest vertex; the image of one half takes the place of the other\n";
   return os.str();
+}
+
+// Pieces that have no quads, or quads of another size than wanted.
+std::string note_on_pieces(const QR::Remeshing_report& report, const Model& model)
+{
+  constexpr std::size_t most = 10;
+  std::ostringstream os;
+  if(const std::size_t n = report.number_of_parts_left_out; n > 0)
+    os << "left out: " << counted(n, "small closed piece") << ", of area "
+       << report.area_of_parts_left_out << (n == 1 ? "" : " in sum")
+       << "; --area-threshold 0 keeps all\n";
+  const auto& parts = report.parts_of_other_size;
+  for(std::size_t i = 0; i < parts.size() && i < most; ++i)
+    os << in_words_of_user("warning: the piece with face " + std::to_string(parts[i].face), model)
+       << " has " << counted(parts[i].number_of_quads, "quad") << " in place of "
+       << parts[i].number_wanted << " of the wanted size\n";
+  if(parts.size() > most)
+    os << "warning: quads of " << parts.size() - most << " more pieces have another size\n";
+  return os.str();
+}
+
+nlohmann::json json_of(const std::vector<QR::Part_of_other_size>& parts)
+{
+  nlohmann::json result = nlohmann::json::array();
+  for(const auto& p : parts)
+    result.push_back({{"face", p.face}, {"number_of_quads", p.number_of_quads},
+                      {"number_wanted", p.number_wanted}});
+  return result;
 }
 
 nlohmann::json json_of(const std::vector<QR::Released_feature>& features)
@@ -436,6 +494,9 @@ struct Remesh_outcome
       {"length_of_features", features.length},
       {"number_of_edges_left_out", features.number_left_out},
       {"number_of_corners_left_out", report.number_of_corners_left_out},
+      {"parts_of_other_size", json_of(report.parts_of_other_size)},
+      {"number_of_parts_left_out", report.number_of_parts_left_out},
+      {"area_of_parts_left_out", report.area_of_parts_left_out},
       {"number_of_released_edges", report.number_of_released_edges},
       {"length_of_released_edges", report.length_of_released_edges}});
     result.update(json_of_shape(report, diagonal));
@@ -479,17 +540,21 @@ void remesh(const Arguments& arguments)
       throw Failure(NOT_SOLVED, options.input + ": " + why_not(report, model));
     report.message = in_words_of_user(report.message, model);
     outcome.topologies = {Topology(model.mesh), Topology(quads.mesh)};
-    os << note(*outcome.topologies, plane ? "mirroring" : "remeshing");
+    os << note_on_pieces(report, model)
+       << note(*outcome.topologies, plane ? "mirroring" : "remeshing");
     outcome.diagonal = ::diagonal(model.mesh);
     outcome.turn = median_turn(quads, directions, model.mesh);
     write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
     quads.count_as_written(report.first_inverted_quads);
     quads.count_as_written(report.first_thin_quads);
+    quads.count_as_written(report.first_degenerate_quads);
     if(!options.picture.empty())
       write_file(options.picture, quad_picture(quads.mesh, quads.is_feature));
     outcome.patches = write_patches(quads.mesh, quads.is_feature, options.patches);
     outcome.write_summary(os, options.output);
     check_inverted_quads(report.number_of_inverted_quads, options.output);
+    check_number_of_quads(options, options.number_wanted(model.mesh, sizes), report,
+                          outcome.topologies->of_input);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())

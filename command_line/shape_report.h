@@ -12,18 +12,27 @@
 #include <cmath>
 #include <cstddef>
 #include <ostream>
+#include <vector>
 
 inline void write_shapes(std::ostream& os, const CGAL::Quad_remeshing::Quad_shapes& shapes)
 {
-  const std::size_t listed = shapes.first_thin_quads.size();
+  const auto write_quads = [&](const std::size_t number, const std::vector<std::size_t>& first) {
+    os << counted(number, "quad");
+    for(const std::size_t f : first)
+      os << (f == first.front() ? " (" : ", ") << f;
+    os << (first.empty() ? "" : first.size() < number ? ", ...)" : ")");
+  };
   os << "scaled Jacobian: least " << shapes.least_scaled_jacobian << ", mean "
-     << shapes.mean_scaled_jacobian << "; less than 0.1: "
-     << counted(shapes.number_of_thin_quads, "quad");
-  for(std::size_t i = 0; i < listed; ++i)
-    os << (i == 0 ? " (" : ", ") << shapes.first_thin_quads[i];
-  os << (listed == 0 ? "" : listed < shapes.number_of_thin_quads ? ", ...)" : ")")
-     << ". Longest side of a quad over its shortest: at most " << shapes.largest_aspect_ratio
+     << shapes.mean_scaled_jacobian << "; less than 0.1: ";
+  write_quads(shapes.number_of_thin_quads, shapes.first_thin_quads);
+  os << ". Longest side of a quad over its shortest: at most " << shapes.largest_aspect_ratio
      << "; more than 10: " << counted(shapes.number_of_long_quads, "quad") << "\n";
+  if(shapes.number_of_degenerate_quads == 0)
+    return;
+  os << "warning: degenerate to most uses, with one side 100 times as long as another, or a side "
+        "shorter than a millionth of the mean one: ";
+  write_quads(shapes.number_of_degenerate_quads, shapes.first_degenerate_quads);
+  os << "\n";
 }
 
 // \param diagonal that of the input
@@ -44,6 +53,8 @@ inline nlohmann::json json_of_shapes(const CGAL::Quad_remeshing::Quad_shapes& sh
           {"number_of_thin_quads", shapes.number_of_thin_quads},
           {"first_thin_quads", shapes.first_thin_quads},
           {"number_of_long_quads", shapes.number_of_long_quads},
+          {"number_of_degenerate_quads", shapes.number_of_degenerate_quads},
+          {"first_degenerate_quads", shapes.first_degenerate_quads},
           {"largest_aspect_ratio", if_known(std::isfinite(shapes.largest_aspect_ratio),
                                             shapes.largest_aspect_ratio)}};
 }

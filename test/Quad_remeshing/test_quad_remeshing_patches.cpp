@@ -310,11 +310,29 @@ void test_known_shapes()
   CHECK_EQUAL(shapes.number_of_long_quads, std::size_t(2));
   CHECK_EQUAL(shapes.number_of_thin_quads, std::size_t(3));
   CHECK((shapes.first_thin_quads == std::vector<std::size_t>{5, 6, 8}));
+  CHECK_EQUAL(shapes.number_of_degenerate_quads, std::size_t(1));
+  CHECK((shapes.first_degenerate_quads == std::vector<std::size_t>{8}));
   for(int i = 0; i < 20; ++i)
     add_quad(mesh, 0.01, 1);
   shapes = QR::measure_quad_shapes(mesh);
   CHECK_EQUAL(shapes.number_of_thin_quads, std::size_t(23));
   CHECK_EQUAL(shapes.first_thin_quads.size(), std::size_t(10));
+  // Long ones, and one that is a square, but small.
+  for(const double size : {1., 1e-200, 1e200}) {
+    Mesh squares;
+    const auto add_rectangle = [&](const double width, const double height) {
+      CGAL::make_quad(o, Kernel::Point_3(width * size, 0, 0),
+                      Kernel::Point_3(width * size, height * size, 0),
+                      Kernel::Point_3(0, height * size, 0), squares);
+    };
+    for(const double width : {1., 99., 101.})
+      add_rectangle(width, 1);
+    for(const double width : {1e-4, 1e-5})
+      add_rectangle(width, width);
+    shapes = QR::measure_quad_shapes(squares); // the mean side is 20.4
+    CHECK((shapes.first_degenerate_quads == std::vector<std::size_t>{2, 4}));
+    CHECK_EQUAL(shapes.number_of_degenerate_quads, std::size_t(2));
+  }
   // Of any size, and without numbers that mean nothing.
   for(const double size : {1e-300, 1e-100, 1e100, 1e300}) {
     Mesh square;

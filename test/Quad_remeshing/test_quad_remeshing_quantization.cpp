@@ -5,6 +5,7 @@
 #include "Parametrized_model.h"
 #include "floating_point_traps.h"
 #include "interruptions.h"
+#include "piece_checks.h"
 #include "quad_reference.h"
 #include "test_data.h"
 #include "test_surfaces.h"
@@ -3423,6 +3424,7 @@ int main()
     test_edge_lengths();
     test_touching_bodies();
     test_double_sheets();
+    pieces::test_all();
   }
   test_refinement();
   test_sizes_in_space();

@@ -58,6 +58,7 @@ Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParame
   return {quantization, chosen(np, internal_np::curvature_alignment, std::optional<double>()),
           chosen(np, internal_np::curvature_adaptivity, 1.),
           chosen(np, internal_np::border_tolerance, std::optional<double>()),
+          chosen(np, CGAL::internal_np::area_threshold, std::optional<double>()),
           (std::min)(chosen(np, internal_np::number_of_relaxation_steps, std::size_t(5)),
                      most_smoothing_rounds),
           has_single_precision};
@@ -88,6 +89,10 @@ std::optional<Mirror> mirror_of([[maybe_unused]] const NamedParameters& np)
 Remeshing_report remesh(const Surface_to_remesh::Reader& read, const std::optional<Mirror>& mirror,
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature);
+
+// A reader without the closed parts that the options leave out.
+Surface_to_remesh::Reader without_small_parts(const Surface_to_remesh::Reader& read,
+                                              const Remeshing_options& options);
 
 // Gives the quads of a quantization a better shape.
 Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantization,
@@ -147,9 +152,12 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   const double number_wanted = has_wanted_number ? options.number_wanted() / growth : 0;
   const Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>
     writer(tmesh, np1, np2);
+  if(!has_wanted_number)
+    options.area_threshold = 0;
+  const Surface_to_remesh input(without_small_parts(surface_reader(tmesh, np1), options),
+                                std::nullopt);
   const Nearest_faces nearest =
-    measure_quads(surface_to_remesh(tmesh, np1, std::nullopt), number_wanted, result,
-                  writer.located(), report);
+    measure_quads(input, number_wanted, result, writer.located(), report);
   writer.write(result, is_feature, nearest, quads);
   return report;
 }
@@ -167,10 +175,10 @@ borders become chains of edges of quads.
 
 \par Guarantee
 If the function succeeds, the result is a valid face graph of quads that is homeomorphic to the
-input. The report counts inverted quads, released feature edges, and displaced vertices, which can
-occur. If features or cones are close together, no valid mesh with so few quads may exist. The
-function then returns the smallest larger mesh that it finds, and the message says so. If faces stay
-flipped in each parametrization, the function fails, and leaves `quads` unchanged.
+input without small closed parts. The report counts inverted quads, released feature edges, and
+displaced vertices. If features or cones are close together, no valid mesh with so few quads may
+exist. The function then returns the smallest larger mesh that it finds, and the message says so. If
+faces stay flipped in each parametrization, the function fails, and leaves `quads` unchanged.
 
 \par Score
 The result with fewer inverted quads is better. If these are equally many, the score is the mean
@@ -253,6 +261,15 @@ the function returns the best result so far, and the message says so.
     \cgalParamType{`double`, not negative, or a `std::optional` of it}
     \cgalParamDefault{half of the wanted edge length; `0`, which ignores no step, if sizes vary
                       or with `minimize_number_of_quads`}
+  \cgalParamNEnd
+  \cgalParamNBegin{area_threshold}
+    \cgalParamDescription{closed connected parts of less area are left out, but for the largest
+                          part: specks, as marching cubes and scans leave them, are no place for
+                          quads. The report tells how many there are. By default, parts that are
+                          not a hundred times smaller than the largest one stay, too.}
+    \cgalParamType{`double`, not negative, or a `std::optional` of it}
+    \cgalParamDefault{the area of a quad of the mean size that is wanted; `0`, which leaves out
+                      none, if quads are to be few}
   \cgalParamNEnd
   \cgalParamNBegin{curvature_adaptivity}
     \cgalParamDescription{by how much sizes may vary with curvature, as the ratio of the largest to

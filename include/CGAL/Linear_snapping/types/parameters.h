@@ -82,6 +82,7 @@
 
 // The names of CGAL's that can be chained with them; the tags are CGAL's.
 #define CGAL_SEAMLESS_SNAPPING_CGAL_PARAMETERS(F)                                                  \
+  F(area_threshold_t, area_threshold, area_threshold)                                              \
   F(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)                           \
   F(face_patch_t, face_patch, face_patch_map)                                                      \
   F(maximum_number_t, maximum_number, maximum_number)                                              \
@@ -284,7 +285,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `vertex_sizing_map`: the length that edges of quads are to have at each vertex of the input
  * - `weld_borders`: whether a reader joins border edges that coincide in space
  *
- * Names of \cgal: `edge_is_constrained_map`, `face_patch_map`, `maximum_number`,
+ * Names of \cgal: `area_threshold`, `edge_is_constrained_map`, `face_patch_map`, `maximum_number`,
  * `number_of_iterations`, `number_of_relaxation_steps`, `random_seed`, `sparse_linear_solver`,
  * `verbose`, `vertex_index_map`, `vertex_is_constrained_map`, `vertex_point_map`, `visitor`.
  * `maximum_number` is the number of things made or visited above which a function gives up.

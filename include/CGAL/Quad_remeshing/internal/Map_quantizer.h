@@ -159,8 +159,22 @@ private:
                   name_of_faces(m_run.report.remaining_flips, "flipped in the parametrization") +
                     (sizes_vary() ? "; let vertex_sizing_map and curvature_adaptivity vary sizes "
                                     "less" : "") +
-                    "; mark fewer features if there are any, or remesh the input there, or its "
-                    "border, or leave out that part");
+                    "; " + (has_features() ? "mark fewer features, or " : "") +
+                    "remesh the input there" + (has_border() ? ", or its border" : "") +
+                    ", or leave out that part");
+  }
+
+  // Also if all of them are released by now.
+  bool has_features() const
+  {
+    return m_run.report.number_of_released_edges > 0 || m_run.surface.length_of_features() > 0;
+  }
+
+  bool has_border() const
+  {
+    const auto halfedges = m_run.mesh().halfedges();
+    return std::any_of(halfedges.begin(), halfedges.end(),
+                       [&](const auto h) { return m_run.mesh().is_border(h); });
   }
 
   // An exactly seamless map, and what stays flipped in it.

@@ -40,6 +40,7 @@ struct Remeshing_options
   std::optional<double> curvature_alignment;
   double curvature_adaptivity;
   std::optional<double> border_tolerance; // in the size of the input
+  std::optional<double> area_threshold;   // the same
   std::size_t number_of_smoothing_rounds;
   bool has_single_precision; // the points of the quads
 

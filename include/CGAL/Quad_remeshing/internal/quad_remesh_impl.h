@@ -32,9 +32,11 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/even_out_border.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/leave_out_small_parts.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/vertex_far_away.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 
 #include <CGAL/Bbox_3.h>
@@ -70,7 +72,7 @@ public:
 
   void run()
   {
-    if(check_lengths() && check_tolerance() && check_mirror() &&
+    if(check_lengths() && check_tolerances() && check_mirror() &&
        Map_quantizer(m_run, m_choices).run() && make_best_quads())
       change_points([&](const double x) { return m_run.surface.unscaled(x); });
   }
@@ -145,11 +147,13 @@ private:
                   "the shortest one of the mesh; remove the vertex that is far away");
   }
 
-  bool check_tolerance()
+  bool check_tolerances()
   {
-    return m_run.options.border_tolerance.value_or(0) >= 0 ||
+    const bool is_negative = !(m_run.options.border_tolerance.value_or(0) >= 0);
+    return (!is_negative && m_run.options.area_threshold.value_or(0) >= 0) ||
            refuse(m_run.report, Outcome::INVALID_ARGUMENT,
-                  "border_tolerance must not be negative");
+                  std::string(is_negative ? "border_tolerance" : "area_threshold") +
+                    " must not be negative");
   }
 
   // The mesh is one half then, and has half of the quads.
@@ -342,6 +346,9 @@ private:
     if(quantization.number_of_unaligned_border_edges > 0)
       Border_evener(m_quads, m_is_feature, m_run.mesh()).run();
     m_run.report.message = quantization.message;
+    m_run.report.parts_of_other_size = quantization.parts_of_other_size;
+    for(Part_of_other_size& part : m_run.report.parts_of_other_size)
+      part.face = m_run.surface.original(part.face);
     if(m_run.surface.mirror() && !m_run.report.message.empty())
       m_run.report.message += ", for each half";
   }
@@ -754,12 +761,44 @@ private:
   Remeshing_report m_best;
 };
 
+inline Small_parts small_parts(Marked_surface& surface, const Remeshing_options& options)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {surface, options.area_threshold,
+          options.quantization.is_coarsest ? infinity : options.quantization.number_of_quads};
+}
+
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+Surface_to_remesh::Reader without_small_parts(const Surface_to_remesh::Reader& read,
+                                              const Remeshing_options& options)
+{
+  return [=](Marked_surface& surface) {
+    read(surface);
+    small_parts(surface, options).leave_out();
+  };
+}
+
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Remeshing_report remesh(const Surface_to_remesh::Reader& read, const std::optional<Mirror>& mirror,
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
 {
-  return Attempts(read, mirror, options, quads, is_feature).run();
+  Marked_surface input;
+  read(input);
+  if(const auto h = halfedge_from_far_away(input.mesh)) {
+    const auto& p = input.mesh.point(input.mesh.source(*h));
+    return refused<Remeshing_report>(
+      Outcome::INVALID_ARGUMENT,
+      "face " + std::to_string(std::size_t(input.mesh.face(*h))) + " has a vertex at (" +
+        short_number(p.x()) + ", " + short_number(p.y()) + ", " + short_number(p.z()) +
+        "), which is a million times as far away as nearly all others; move it, or remove it");
+  }
+  const Small_parts left_out = small_parts(input, options);
+  const Surface_to_remesh::Reader read_parts = without_small_parts(read, options);
+  Remeshing_report report = Attempts(read_parts, mirror, options, quads, is_feature).run();
+  report.number_of_parts_left_out = left_out.number();
+  report.area_of_parts_left_out = left_out.area();
+  return report;
 }
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION

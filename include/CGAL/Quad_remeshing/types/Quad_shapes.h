@@ -47,6 +47,11 @@ struct Quad_shapes
   std::size_t number_of_thin_quads = 0;
   /// the first of them, at most ten, counted from 0 in the order of iteration over all faces
   std::vector<std::size_t> first_thin_quads;
+  /// quads that are degenerate to most uses: the longest side is more than 100 times the shortest
+  /// one, or a side is shorter than a millionth of the mean side of all quads
+  std::size_t number_of_degenerate_quads = 0;
+  /// the first of them, counted like `first_thin_quads`
+  std::vector<std::size_t> first_degenerate_quads;
 };
 
 } // namespace Quad_remeshing

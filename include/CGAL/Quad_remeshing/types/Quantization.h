@@ -36,6 +36,18 @@ struct Quantized_surface;
 /*!
 \ingroup PkgQuadRemeshingQuads
 
+A connected part of a surface whose quads have not the size that is wanted.
+*/
+struct Part_of_other_size
+{
+  std::size_t face = 0;            ///< its first face, in the order of iteration over all faces
+  std::size_t number_of_quads = 0; ///< the quads that it has
+  double number_wanted = 0;        ///< the quads that it would have in the wanted size
+};
+
+/*!
+\ingroup PkgQuadRemeshingQuads
+
 The result of `quantize()`: an all-quad mesh of a parametrized surface, in the form of a coarse
 triangulation whose edges are vectors of integers. `extract_quad_mesh()` makes the quads. Converts
 to `bool`: `true` if and only if there is one.
@@ -54,6 +66,9 @@ public:
   /// features that were released with `maximum_feature_loss`: the vertices along each, in the order
   /// of iteration over all vertices that have faces, from 0
   std::vector<std::vector<std::size_t> > released_features;
+  /// connected parts whose quads are more than three times as long, or as short, as wanted: for
+  /// example, a part that is smaller than a quad
+  std::vector<Part_of_other_size> parts_of_other_size;
   std::size_t number_of_coarse_vertices = 0; ///< of the coarse triangulation, with all cones
   std::size_t number_of_coarse_faces = 0;    ///< of the coarse triangulation
   /// @}

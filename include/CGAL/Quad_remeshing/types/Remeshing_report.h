@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/types/Report.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
 #include <CGAL/Quad_remeshing/types/Quad_shapes.h>
+#include <CGAL/Quad_remeshing/types/Quantization.h>
 
 #include <array>
 #include <cstddef>
@@ -60,6 +61,12 @@ struct Remeshing_report
   /// the number of quads that the features force; counted, and told in the message, only if there
   /// are clearly more quads than wanted
   std::size_t number_of_forced_quads = 0;
+  /// connected parts whose quads are more than three times as long, or as short, as wanted; faces
+  /// are those of the input
+  std::vector<Part_of_other_size> parts_of_other_size;
+  /// closed connected parts that were left out by `area_threshold`
+  std::size_t number_of_parts_left_out = 0;
+  double area_of_parts_left_out = 0; ///< the sum of their areas
   /// with `maximum_feature_loss`, features that are not kept because they force quads
   std::vector<Released_feature> released_features;
   /// quads that are inverted in space or lie upside down on the surface. A quad is inverted if, at

@@ -34,6 +34,7 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,14 @@ namespace parametrization {
 
 inline void tell_flips(const std::size_t number)
 { Progress::tell_each_second([&] { return counted(number, "flipped face") + " in the map"; }); }
+
+inline bool has_features(const Triangle_surface& surface)
+{
+  for(Corner_index h = 0; h < surface.number_of_halfedges(); ++h)
+    if(surface.is_aligned[h] && !surface.is_border_edge(h))
+      return true;
+  return false;
+}
 
 // Solves, stiffens and solves again; returns the free unknowns of the solution with the fewest
 // flipped faces. Where flips can't be avoided the weights grow until the system can't be solved any
@@ -73,7 +82,9 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
     } catch(Refusal& refusal) {
       if(round > 0)
         return best;
-      refusal.message += "; mark fewer features if there are any, or remesh the input";
+      refusal.message += std::string("; ") +
+                         (has_features(surface) ? "mark fewer features, or " : "") +
+                         "remesh the input";
       throw;
     }
     const Coordinates uv = coordinates.evaluate(unknowns);

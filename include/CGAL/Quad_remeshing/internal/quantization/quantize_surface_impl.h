@@ -21,8 +21,8 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Quad_remeshing/internal/quantization/Face_graph_search.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
+#include <CGAL/Quad_remeshing/internal/quantization/Part_quantizer.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Wall_slider.h>
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <set>
@@ -138,25 +139,117 @@ class Unit_finder
 public:
   Unit_finder(std::shared_ptr<const Coarse_surface> coarse, const Quantization_options& options,
               Quantization& result)
-    : m_coarse(std::move(coarse)),
-      m_ladders(m_coarse->input, m_coarse->complex, relative_steps(m_coarse->input),
-                (std::max)(1, (std::min)(8, 8000 / number_of_faces())), *options.work),
-      m_options(options), m_result(result)
+    : m_coarse(std::move(coarse)), m_options(options), m_result(result)
   {
     if(m_options.is_coarsest)
       m_options.number_of_quads = 1;
+    share_out();
   }
 
   bool run()
   {
-    const std::vector<int> angles = angles_around_vertices(m_coarse->complex);
-    Quantized_complex found = find_quads();
-    m_result.first_scale = found.first_scale;
-    m_result.number_of_moves = found.number_of_moves;
-    m_result.number_of_long_edges = found.number_of_long_edges;
-    m_result.number_of_quads = std::size_t(std::llround(found.number_of_quads));
-    if(!defect(found.complex, angles, &Intrinsic_corner::units).empty())
-      return refuse(m_result, Outcome::INTERNAL_ERROR, "the integers are not feasible");
+    std::vector<Intrinsic_complex> parts = split_into_parts(m_coarse->complex);
+    bool has_reached_maximum = false;
+    std::size_t number = 0;
+    for(std::size_t i = 0; i < parts.size(); ++i) {
+      const std::vector<int> angles = angles_around_vertices(parts[i]);
+      Part_quantizer quantizer(m_coarse->input, parts[i], options_of_part(i));
+      Quantized_complex found = quantizer.find_quads();
+      if(!defect(found.complex, angles, &Intrinsic_corner::units).empty())
+        return refuse(m_result, Outcome::INTERNAL_ERROR, "the integers are not feasible");
+      m_first_number += quantizer.first_number_of_quads();
+      number += count(i, found);
+      has_reached_maximum = has_reached_maximum || found.has_reached_maximum;
+      parts[i] = std::move(found.complex);
+    }
+    m_result.number_of_quads = number;
+    add_notes();
+    if(has_too_many())
+      return refuse(m_result, Outcome::TOO_LARGE,
+                    "there would be " + std::to_string(m_result.number_of_quads) + " quads: " +
+                      words_for_number() + ". That is more than maximum_number: raise it, or ask "
+                      "for about as many, mark fewer features, or release some by "
+                      "maximum_feature_loss");
+    if(has_reached_maximum)
+      return refuse(m_result, Outcome::TOO_LARGE,
+                    "quads meet themselves, or each other twice, and no mesh of at most " +
+                      std::to_string(std::llround(m_options.maximum_number)) +
+                      " quads was found, which is maximum_number: raise it");
+    m_result.set_surface(std::make_shared<const Quantized_surface>(
+      Quantized_surface{m_coarse, joined(parts), m_options.needs_face_graph}));
+    return true;
+  }
+
+  // The number of the first quantization that is tried, a face graph or not.
+  double first_number_of_quads()
+  {
+    const std::vector<Intrinsic_complex> parts = split_into_parts(m_coarse->complex);
+    double result = 0;
+    for(std::size_t i = 0; i < parts.size(); ++i)
+      result +=
+        Part_quantizer(m_coarse->input, parts[i], options_of_part(i)).first_number_of_quads();
+    return result;
+  }
+
+  std::vector<double> wanted_scales() const
+  {
+    std::vector<double> result;
+    for(std::size_t i = 0; i < m_area.size(); ++i)
+      result.push_back(std::sqrt(options_of_part(i).number_of_quads / m_area[i]));
+    return result;
+  }
+
+private:
+  // The quads wanted in each part: as many as its area tells, whatever other parts there are.
+  void share_out()
+  {
+    const Integer_mesh& input = m_coarse->input;
+    const Intrinsic_complex& complex = m_coarse->complex;
+    const double largest = *std::max_element(input.steps.begin(), input.steps.end());
+    m_area.resize(input.steps.size());
+    m_wanted = m_area;
+    double sum = 0; // in squares of the largest step, so that none is too large
+    for(Corner_index h = 0; h < complex.number_of_halfedges(); h += 3) {
+      const auto part = std::size_t(complex.part[std::size_t(h / 3)]);
+      const double step = input.steps[part] / largest;
+      const double area =
+        approximate_cross(complex.corner(h).vector, complex.corner(h + 1).vector) / 2;
+      m_area[part] += area;
+      m_wanted[part] += step * step * area;
+      sum += step * step * area;
+    }
+    for(double& x : m_wanted)
+      x *= m_options.number_of_quads / sum;
+  }
+
+  // No part has less than a quad.
+  Quantization_options options_of_part(const std::size_t part) const
+  {
+    Quantization_options result = m_options;
+    result.number_of_quads = m_options.is_coarsest ? 1. : (std::max)(1., m_wanted[part]);
+    return result;
+  }
+
+  // Returns the number of quads in a part.
+  std::size_t count(const std::size_t part, const Quantized_complex& found)
+  {
+    constexpr double most = 9; // times as many quads, of a third of the length
+    m_result.first_scale = (std::max)(m_result.first_scale, found.first_scale);
+    m_result.number_of_moves += found.number_of_moves;
+    m_result.number_of_long_edges += found.number_of_long_edges;
+    const auto number = std::size_t(std::llround(found.number_of_quads));
+    const double ratio = double(number) / m_wanted[part];
+    if(!m_options.is_coarsest && !(ratio <= most && ratio >= 1 / most)) {
+      const auto& parts = m_coarse->input.part;
+      const auto first = std::find(parts.begin(), parts.end(), std::int32_t(part));
+      m_result.parts_of_other_size.push_back(
+        {std::size_t(first - parts.begin()), number, m_wanted[part]});
+    }
+    return number;
+  }
+
+  void add_notes()
+  {
     if(!m_options.is_coarsest && has_more_than_wanted()) {
       m_result.number_of_forced_quads = number_of_forced_quads();
       add_note(m_result, words_for_number() + words_for_remedy());
@@ -166,88 +259,6 @@ public:
                " on no isocurve, and two sides of quads follow " + (n == 1 ? "it" : "each"));
     if(!m_options.work->is_left())
       add_note(m_result, words_for_spent_work);
-    if(has_too_many())
-      return refuse(m_result, Outcome::TOO_LARGE,
-                    "there would be " + std::to_string(m_result.number_of_quads) + " quads: " +
-                      words_for_number() + ". That is more than maximum_number: raise it, or ask "
-                      "for about as many, mark fewer features, or release some by "
-                      "maximum_feature_loss");
-    if(found.has_reached_maximum)
-      return refuse(m_result, Outcome::TOO_LARGE,
-                    "quads meet themselves, or each other twice, and no mesh of at most " +
-                      std::to_string(std::llround(m_options.maximum_number)) +
-                      " quads was found, which is maximum_number: raise it");
-    m_result.set_surface(std::make_shared<const Quantized_surface>(
-      Quantized_surface{m_coarse, std::move(found.complex), m_options.needs_face_graph}));
-    return true;
-  }
-
-  // The number of the first quantization that is tried, a face graph or not.
-  double first_number_of_quads()
-  { return quantize(m_options.number_of_quads, m_options.is_coarsest).number_of_quads; }
-
-  std::vector<double> wanted_scales() const
-  { return m_ladders.scales(scale(m_options.number_of_quads)); }
-
-private:
-  // Steps as parts of the largest one, so that no square is too large; steps are powers of two.
-  static std::vector<double> relative_steps(const Integer_mesh& input)
-  {
-    std::vector<double> result(input.steps);
-    const double largest = *std::max_element(result.begin(), result.end());
-    for(double& s : result)
-      s /= largest;
-    return result;
-  }
-
-  Flat_face_index number_of_faces() const { return m_coarse->complex.number_of_faces(); }
-
-  // Between numbers of quads that are tried, in steps of 2.5 %: where there are many faces, a
-  // quantization takes long.
-  int stride() const { return (std::max)(1, (std::min)(14, number_of_faces() / 700)); }
-
-  // Units per largest step.
-  double scale(const double number_of_quads) const
-  {
-    return std::sqrt(number_of_quads /
-                     number_of_quads_wanted(m_coarse->complex, m_ladders.scales(1)));
-  }
-
-  // About so many quads, or as few as are found.
-  Quantized_complex quantize(const double number_of_quads, const bool is_coarsest)
-  {
-    const double wanted = scale(number_of_quads);
-    const double step = 28 * std::log2(number_of_quads) / stride(); // as the search counts
-    Unit_ladders::Rung start = m_ladders.find(int(std::lround(step)) % m_ladders.size(), wanted);
-    Quantized_complex result;
-    result.complex = std::move(start.complex);
-    result.first_scale = start.first_scale / wanted;
-    result.number_of_moves = start.number_of_moves;
-    result.scales = m_ladders.scales(wanted);
-    Complex_quantizer quantizer(m_coarse->input, result.complex, result.scales,
-                                *m_options.work);
-    result.number_of_moves += quantizer.improve();
-    if(!is_coarsest) {
-      result.number_of_moves += quantizer.adjust(number_of_quads);
-      // Elsewhere, shear goes when quads are smoothed.
-      if(has_thin_parts(result.complex, result.scales))
-        result.number_of_moves += quantizer.improve(Cost_of_units::SHAPE);
-    }
-    result.number_of_long_edges = quantizer.number_of_long_edges();
-    result.number_of_quads = internal::number_of_quads(result.complex);
-    if(m_first_number == 0)
-      m_first_number = result.number_of_quads;
-    return result;
-  }
-
-  Quantized_complex find_quads()
-  {
-    if(!m_options.needs_face_graph)
-      return quantize(m_options.number_of_quads, m_options.is_coarsest);
-    const auto quantize_to = [&](const double number) { return quantize(number, false); };
-    return Face_graph_search<decltype(quantize_to)>(quantize_to, *m_options.work,
-                                                    m_options.maximum_number, stride())
-      .run(m_options.number_of_quads);
   }
 
   bool has_more_than_wanted() const
@@ -317,11 +328,10 @@ private:
   }
 
   std::shared_ptr<const Coarse_surface> m_coarse;
-  // Numbers that are tried one after the other begin on different ones: else what is wrong with one
-  // result, for a face graph, would be wrong with the next ones, too.
-  Unit_ladders m_ladders;
   Quantization_options m_options;
   Quantization& m_result;
+  std::vector<double> m_area;   // per part: in steps of its grid
+  std::vector<double> m_wanted; // per part: quads
   double m_first_number = 0; // of quads, of the first quantization that was tried
 };
 

@@ -23,6 +23,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -44,6 +46,12 @@ struct Remeshing_types
   using Feature_map = Mesh::Property_map<Edge, bool>;
   using Quad = Quad_in_space;
 };
+
+inline bool has_finite_points(const Remeshing_types::Mesh& mesh)
+{
+  return std::all_of(mesh.points().begin(), mesh.points().end(), [](const auto& p)
+    { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); });
+}
 
 // The angle of a face at the target of a halfedge, in degrees.
 inline double angle_to_next(const Remeshing_types::Mesh& mesh, const Remeshing_types::Halfedge h)

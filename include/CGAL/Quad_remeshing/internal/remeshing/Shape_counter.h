@@ -27,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Quad_remeshing {
@@ -58,12 +59,19 @@ inline double scaled_jacobian(const Quad_in_space& q, const Space_vector& normal
 // As seen along its own normal.
 inline double scaled_jacobian(const Quad_in_space& q) { return scaled_jacobian(q, quad_normal(q)); }
 
-// The longest side over the shortest one.
-inline double aspect_ratio(const Quad_in_space& q)
+inline std::array<double, 4> lengths_of_sides(const Quad_in_space& q)
 {
-  std::array<double, 4> sides;
-  for(std::size_t i = 0; i < 4; ++i)
-    sides[i] = norm(vector_to(q[i], q[(i + 1) % 4]));
+  std::array<double, 4> result;
+  for(std::size_t i = 0; i < 4; ++i) {
+    const Space_vector side = vector_to(q[i], q[(i + 1) % 4]);
+    result[i] = std::hypot(side[0], side[1], side[2]);
+  }
+  return result;
+}
+
+// The longest side over the shortest one.
+inline double aspect_ratio(const std::array<double, 4>& sides)
+{
   const auto [shortest, longest] = std::minmax_element(sides.begin(), sides.end());
   return *shortest > 0 ? *longest / *shortest : std::numeric_limits<double>::infinity();
 }
@@ -72,9 +80,11 @@ inline bool is_thin(const double scaled_jacobian) { return scaled_jacobian < 0.1
 
 // The quad, times a power of two, so that no product of four lengths is 0 or infinite; one point if
 // it has infinite coordinates, or NaN.
-inline Quad_in_space scaled_to_size(Quad_in_space q)
+// \param exponent receives that of the power by which the result is smaller
+inline Quad_in_space scaled_to_size(Quad_in_space q, int& exponent)
 {
   double size = 0;
+  exponent = 0;
   for(std::size_t k = 1; k < 4; ++k)
     for(const double x : vector_between<double>(q, 0, k)) {
       if(!std::isfinite(x))
@@ -83,9 +93,10 @@ inline Quad_in_space scaled_to_size(Quad_in_space q)
     }
   if(size == 0 || (size > 1e-60 && size < 1e60))
     return q;
+  exponent = std::ilogb(size);
   for(Space_vector& p : q)
     for(double& x : p)
-      x = std::ldexp(x, -std::ilogb(size));
+      x = std::ldexp(x, -exponent);
   return q;
 }
 
@@ -96,29 +107,47 @@ public:
   void add(const std::size_t face, const Quad_in_space& quad)
   {
     constexpr double most_of_short_quads = 10; // sides over others
-    const Quad_in_space q = scaled_to_size(quad);
-    const double jacobian = scaled_jacobian(q), aspect = aspect_ratio(q);
+    int exponent = 0;
+    const Quad_in_space q = scaled_to_size(quad, exponent);
+    const std::array<double, 4> sides = lengths_of_sides(q);
+    const double jacobian = scaled_jacobian(q), aspect = aspect_ratio(sides);
     m_shapes.least_scaled_jacobian = (std::min)(m_shapes.least_scaled_jacobian, jacobian);
     m_shapes.largest_aspect_ratio = (std::max)(m_shapes.largest_aspect_ratio, aspect);
     m_shapes.number_of_long_quads += aspect > most_of_short_quads ? 1 : 0;
     if(is_thin(jacobian))
       count_quad(face, m_shapes.number_of_thin_quads, m_shapes.first_thin_quads);
     m_sum += jacobian;
-    ++m_number;
+    const double shortest = *std::min_element(sides.begin(), sides.end());
+    m_quads.push_back({face, aspect, std::ldexp(shortest, exponent)});
+    m_sum_of_sides += std::ldexp(sides[0] + sides[1] + sides[2] + sides[3], exponent);
   }
 
   Quad_shapes shapes() const
   {
+    constexpr double largest_aspect = 100; // of quads that are not degenerate
+    constexpr double least_side = 1e-6;    // the same, as a part of the mean side
     Quad_shapes result = m_shapes;
-    if(m_number > 0)
-      result.mean_scaled_jacobian = m_sum / double(m_number);
+    if(m_quads.empty())
+      return result;
+    const auto number = double(m_quads.size());
+    result.mean_scaled_jacobian = m_sum / number;
+    for(const Sides& s : m_quads)
+      if(s.aspect > largest_aspect || s.shortest < least_side * m_sum_of_sides / (4 * number))
+        count_quad(s.face, result.number_of_degenerate_quads, result.first_degenerate_quads);
     return result;
   }
 
 private:
+  struct Sides
+  {
+    std::size_t face;
+    double aspect, shortest;
+  };
+
   Quad_shapes m_shapes;
   double m_sum = 0; // of the scaled Jacobians
-  std::size_t m_number = 0;
+  double m_sum_of_sides = 0;
+  std::vector<Sides> m_quads;
 };
 
 } // namespace internal

@@ -52,7 +52,7 @@ public:
   using Direction_map = Marked_surface::Direction_map;
   using Sizing_map = Marked_surface::Sizing_map;
 
-  // Fills in all but the originals, which are the faces themselves.
+  // Fills in all; without originals, these are the faces themselves.
   using Reader = std::function<void(Marked_surface&)>;
 
   // \param mirror on whose upper side the surface is to be
@@ -61,8 +61,9 @@ public:
     read(m_surface);
     scale();
     scale_sizes();
-    for(const Face f : m_mesh.faces())
-      m_surface.originals.push_back(std::size_t(f));
+    if(m_surface.originals.empty())
+      for(const Face f : m_mesh.faces())
+        m_surface.originals.push_back(std::size_t(f));
     if(!CGAL::is_triangle_mesh(m_mesh))
       return;
     if(mirror)
@@ -78,12 +79,8 @@ public:
   // of which a map is to be made, as far as that spares corners. Is called once.
   void straighten_border(const double tolerance)
   {
-    const auto is_finite = [&](const Vertex v) {
-      const Point& p = m_mesh.point(v);
-      return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-    };
     if(!(tolerance > 0) || !CGAL::is_triangle_mesh(m_mesh) ||
-       !std::all_of(m_mesh.vertices_begin(), m_mesh.vertices_end(), is_finite)) // refused later
+       !has_finite_points(m_mesh)) // refused later
       return;
     const auto points = m_mesh.add_property_map<Vertex, Point>("v:point_of_map").first;
     for(const Vertex v : m_mesh.vertices())
