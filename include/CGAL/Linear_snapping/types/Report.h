@@ -28,8 +28,8 @@ namespace Linear_snapping {
 \ingroup PkgLinearSnappingRef
 
 The outcome of a function. All functions use the same name for the same condition. The first four
-outcomes are successes: the result has been written. After any other outcome the caller's data is
-untouched, bit for bit.
+outcomes are successes: the result has been written, or was there already. After any other outcome
+the caller's data is untouched, bit for bit.
 */
 enum class Outcome
 {
