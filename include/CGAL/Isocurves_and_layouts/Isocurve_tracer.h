@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// Isocurves: where they start, and what they are when traced; and the tracer, a parametrized mesh
-// prepared for tracing any number of them.
+// Isocurves, with their starts and points; and the tracer, a parametrized mesh prepared for tracing
+// any number of them.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>

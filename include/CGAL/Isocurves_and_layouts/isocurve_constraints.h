@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// Constraints that are made of isocurves: connections and cycles along traced ones. And connections
-// that hold, but are interrupted: their equation says where an isocurve would arrive if nothing was
-// in its way; whether something is, is found by tracing it.
+// Constraints from isocurves: connections and cycles along traced curves. And connections that
+// hold, but are intercepted: their equation fixes the end of an isocurve if nothing is in its way,
+// and tracing it finds whether something is.
 
 #include <CGAL/Isocurves_and_layouts/Isocurve_tracer.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>

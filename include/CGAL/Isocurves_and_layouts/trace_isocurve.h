@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// Single isocurves, or all that leave singular vertices; and where their points lie.
+// Single isocurves, or all that leave singular vertices; and the places of their points.
 
 #include <CGAL/Isocurves_and_layouts/Isocurve_tracer.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>

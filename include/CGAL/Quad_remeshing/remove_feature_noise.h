@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Leaves out of the feature edges of a mesh what noise made sharp.
+// Unmarks feature edges that are noise.
 
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>

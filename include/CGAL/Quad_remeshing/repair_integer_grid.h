@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Repairs faces of an integer-grid map that are not positive, where that is possible.
+// Repairs faces of an integer-grid map that are not positive, if that is possible.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/axis_directions.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// The words for isocurves: their directions, what their points lie on, how they end, and where
-// those of layouts do.
+// The words for isocurves: their directions, the elements that their points lie on, their ends, and
+// the stop policies of layouts.
 
 #include <CGAL/Isocurves_and_layouts/internal/packages_below.h>
 #include <CGAL/Linear_snapping/types/Report.h>

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// How quads compare to what was wanted, and where they are on the surface.
+// The deviation of quads from the wanted ones, and their places on the surface.
 
 #include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_writer.h>

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// What a partition of a quad mesh into rectangular patches is.
+// The partition of a quad mesh into rectangular patches.
 
 #include <CGAL/Linear_snapping/types/Report.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// How a quantization ends, and what it is.
+// The result of a quantization.
 
 #include <CGAL/Linear_snapping/types/Report.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// A parametrized mesh in plain arrays: what isocurves are traced on.
+// A parametrized mesh in plain arrays, for tracing isocurves.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/axis_directions.h>

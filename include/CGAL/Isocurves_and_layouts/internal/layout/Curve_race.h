@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// Curves that leave all starts at the same time with the same speed, and end where they meet one
-// that has been there before. Lengths, hence times, are exact where curves meet.
+// Curves that leave all starts at the same time with the same speed, and end at curves that were
+// there first. Lengths, hence times, are exact at meetings.
 
 #include <CGAL/Isocurves_and_layouts/internal/layout/Curve_set.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout_domain.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// Curves on a surface, each a list of segments, and where they meet others: the chords in each
-// face, and what passes each vertex.
+// Curves on a surface, each a list of segments, and their meetings: the chords in each face, and
+// the curves through each vertex.
 
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout_domain.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Segment_walker.h>

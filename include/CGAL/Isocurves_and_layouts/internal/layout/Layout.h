@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// A partition of a surface into rectangles, and what an oblique border leaves of some: points,
-// arcs, and patches. Nothing here depends on the mesh data structure.
+// A partition of a surface into rectangles, some of which an oblique border cuts: points, arcs, and
+// patches. Nothing here depends on the mesh data structure.
 
 #include <CGAL/Isocurves_and_layouts/internal/layout/Curve_set.h>
 #include <CGAL/Isocurves_and_layouts/internal/layout/Layout_domain.h>

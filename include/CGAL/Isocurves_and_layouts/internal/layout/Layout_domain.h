@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// What a layout is made on: a chart mesh with its walls, which are features and border edges on
+// The domain of a layout: a chart mesh with its walls, which are features and border edges on
 // isocurves; the rest of its border, which is oblique; and the vertices at which curves start.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>

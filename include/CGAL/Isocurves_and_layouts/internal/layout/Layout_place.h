@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// Places on the surface, exactly: what they lie on, and their coordinates there. Points of arcs
+// Places on the surface, exactly: their elements, and their coordinates there. Points of arcs
 // inside of edges, in their order along each.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>

@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// The walk along an isocurve, from edge to edge and through vertices, a step at a time. What is
-// decided exactly and what in floating point is up to the template argument, so that both kinds of
-// tracing are this same walk.
+// The walk along an isocurve, from edge to edge and through vertices, a step at a time. The
+// template argument decides exactly or in floating point, so that both kinds of tracing are this
+// same walk.
 
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Vertex_rays.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>

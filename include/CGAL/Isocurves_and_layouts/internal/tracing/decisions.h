@@ -15,7 +15,8 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// What a walk decides: on an exactly seamless map, exactly; and, on others, as naive code does.
+// The decisions of a walk: exact ones on an exactly seamless map, and on other maps decisions as
+// naive code makes them.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>

@@ -17,9 +17,9 @@
 
 // From a dart to its twin: a walk of one unit, by exact decisions.
 //
-// All darts are traced such that which ones are does not depend on the number of threads: first
-// those in the first half of the directions of their own charts, which in a single chart is one of
-// each pair; then those whose twin has not been found this way.
+// Which darts are traced does not depend on the number of threads. First come the darts in the
+// first half of the directions of their charts, which is one of each pair in a single chart; then
+// the darts whose twin has not been found yet.
 
 #include <CGAL/Isocurves_and_layouts/internal/tracing/start_walk.h>
 #include <CGAL/Quad_remeshing/internal/cells/Grid_darts.h>

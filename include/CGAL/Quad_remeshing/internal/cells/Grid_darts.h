@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// The unit steps along lines of the grid: darts. Those of a point are numbered in turn,
-// counterclockwise; around a point on the border, from the first that leads into the surface to the
-// last.
+// Darts: the unit steps along lines of the grid. The darts at a point are numbered
+// counterclockwise; around a point on the border, from the first one that leads into the surface to
+// the last one.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Vertex_rays.h>

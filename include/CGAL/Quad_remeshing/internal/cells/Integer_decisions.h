@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// What a walk of one unit along a line of the grid decides, exactly: levels and the end of the walk
-// are integers, which stay exact in a `double` through all transitions. The walk ends where the
-// next face, edge, or vertex contains the end.
+// The decisions of a walk of one unit along a line of the grid, which are exact: levels and the end
+// of the walk are integers, which stay exact in a `double` through all transitions. The walk ends
+// in the face, edge, or vertex that contains its end.
 
 #include <CGAL/Isocurves_and_layouts/internal/tracing/decisions.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>

@@ -15,10 +15,10 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// The points of a parametrized surface with integer coordinates. Where those inside of an edge or a
-// triangle are is computed in floating point, with a bound of the error; where that leaves a doubt,
-// the exact orientation decides. Each is kept with one face, in whose chart its coordinates are;
-// those of a face are sorted, so that a point is found again by its coordinates.
+// The points of a parametrized surface with integer coordinates. Points inside of edges and
+// triangles are found in floating point, with a bound of the error; in doubt, the exact orientation
+// decides. Each point is kept with one face, in whose chart its coordinates are. The points of a
+// face are sorted, so that a point is found again by its coordinates.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>

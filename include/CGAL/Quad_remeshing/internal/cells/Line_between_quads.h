@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// The isocurve between two lines of the grid, through the middle of a strip of quads. Where all
+// The isocurve between two lines of the grid, through the middle of a strip of quads. If all
 // vertices lie on the grid, it meets none of them.
 
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Isocurve_walk.h>

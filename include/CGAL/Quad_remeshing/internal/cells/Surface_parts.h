@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// The connected parts of a parametrized surface, and what the theorem needs to know of each: its
-// Euler characteristic, its area in the domain, and whether its border lies on the grid.
+// The connected parts of a parametrized surface, with the data that the theorem needs: the Euler
+// characteristic, the area in the domain, and whether the border lies on the grid.
 
 #include <CGAL/Isocurves_and_layouts/internal/tracing/Vertex_rays.h>
 #include <CGAL/Quad_remeshing/internal/cells/Lattice_points.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// What becomes of the cells: a mesh, or points and lists of their indices. Each output first takes
-// the places of all points, while the surface is known, and then writes the cells, or refuses.
+// The outputs of cells: a mesh, or points and lists of their indices. Each output first takes the
+// places of all points, while the surface is known, and then writes the cells, or refuses.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>

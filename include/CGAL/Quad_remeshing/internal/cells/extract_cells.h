@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// From an integer-grid map and named parameters to the cells of the grid: what the extractions of
-// quads and of triangles have in common.
+// From an integer-grid map and named parameters to the cells of the grid: the common part of the
+// extractions of quads and of triangles.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// What the energy of a field of crosses needs of a surface, and coarser graphs of the same kind,
-// whose nodes stand for clusters of faces.
+// The data of a surface for the energy of a cross field, and coarser graphs of the same kind, whose
+// nodes stand for clusters of faces.
 
 #include <CGAL/Linear_snapping/internal/support/Lists.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Triangle_surface.h>

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// What the caller asks of a parametrization.
+// The options of a parametrization.
 
 #include <CGAL/Quad_remeshing/internal/parametrization/prescribe_alignment.h>
 

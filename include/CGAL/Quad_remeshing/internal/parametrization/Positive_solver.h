@@ -16,7 +16,7 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // From a field to coordinates whose faces are positive: a least-squares solution, stiffening,
-// untangling, and, where alignment leaves no such coordinates, the release of edges.
+// untangling, and, if alignment leaves no such coordinates, the release of edges.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Progress.h>

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// A field with cones where the caller wants them: the trivial connection of [Crane, Desbrun,
-// Schroeder 2010] with handles rounded to quarter turns.
+// A field with given cones: the trivial connection of [Crane, Desbrun, Schroeder 2010] with handles
+// rounded to quarter turns.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/parametrization/Cross_graph.h>

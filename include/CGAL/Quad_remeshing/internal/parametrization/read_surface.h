@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// From the points of a mesh to a Triangle_surface, and what is refused of it; and the crosses that
-// the caller prescribes, by one direction in space for each face.
+// From the points of a mesh to a Triangle_surface, with refusals; and the crosses that the caller
+// prescribes, by one direction in space for each face.
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>

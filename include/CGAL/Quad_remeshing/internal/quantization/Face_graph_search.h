@@ -15,13 +15,13 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// The least number of quads, not below the one wanted, that a face graph can hold. A coarse mesh
+// The least number of quads, not below the wanted one, that a face graph can hold. A coarse mesh
 // may have quads that meet themselves, or each other twice. Then strips of quads are doubled; or
-// there are fewer quads, each divided into four or sixteen: that helps always, but for quads around
-// vertices of one edge, which are left out.
+// there are fewer quads, each divided into four or sixteen, which always helps, except for quads
+// around vertices of one edge, which are left out.
 //
-// The numbers that are tried are steps of a ladder that doesn't depend on what is wanted, so that
-// the result grows with what is wanted, up to the tolerance.
+// The numbers that are tried are steps of a ladder that doesn't depend on the wanted number, so
+// that the result grows with it, up to the tolerance.
 
 #include <CGAL/Quad_remeshing/internal/cells/Cell_extractor.h>
 #include <CGAL/Quad_remeshing/internal/cells/Line_between_quads.h>

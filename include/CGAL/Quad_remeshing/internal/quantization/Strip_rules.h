@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// What strips of triangles may change, by one unit in one direction, and what that costs.
+// The changes that strips of triangles may make, by one unit in one direction, and their costs.
 
 #include <CGAL/Quad_remeshing/internal/quantization/Wall_slider.h>
 #include <CGAL/Quad_remeshing/internal/quantization/wanted_units.h>

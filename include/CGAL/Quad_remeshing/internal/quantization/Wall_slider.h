@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Where vertices on straight walls are wanted.
+// The wanted places of vertices on straight walls.
 
 #include <CGAL/Quad_remeshing/internal/quantization/wanted_units.h>
 

@@ -16,7 +16,7 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // From the mesh to a coarse complex of the same surface: as few vertices as possible, which are
-// cones, corners, the ends of features, and whatever can't be removed; and round triangles.
+// cones, corners, the ends of features, and vertices that can't be removed; and round triangles.
 
 #include <CGAL/Quad_remeshing/internal/quantization/Polygon_filler.h>
 

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// The units of a complex: integers near the vectors wanted, such that all triangles are positive
-// and the angles around vertices are what they were.
+// The units of a complex: integers near the wanted vectors, such that all triangles are positive
+// and the angles around vertices stay the same.
 
 #include <CGAL/Quad_remeshing/internal/quantization/Polygon_filler.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_moves.h>

@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Places on the surface that quads are to come near to: large quads cut off what is sharp or thin
-// where their vertices lie elsewhere. What the places ask of a vertex is a quadratic form of its
-// displacement, as the squared distances of their tangent planes from what moves with it.
+// Places on the surface that quads should come close to: large quads cut off sharp or thin parts if
+// their vertices lie elsewhere. The squared distances of a quad from the tangent planes of its
+// places are a quadratic form of the displacement of each vertex.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Nearest_place_tree.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>

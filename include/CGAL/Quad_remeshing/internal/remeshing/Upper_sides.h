@@ -15,8 +15,9 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Which quads lie upside down on the surface. What is nearest to them in space may be another part,
-// so the places below them are looked for by walks, from where their corners were extracted.
+// Which quads lie upside down on the surface. The nearest part of the surface in space may be
+// another part, so walks over the surface find the places below a quad, from the places of its
+// corners at the extraction.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Nearest_place_tree.h>

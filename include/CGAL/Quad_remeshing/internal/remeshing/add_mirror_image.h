@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// From the quads of one half of a surface to those of both.
+// From the quads of one half of a surface to the quads of both halves.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
 

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Takes quads out that are inverted or upside down: two opposite vertices become one. So does what
-// is as thin as a line, where no place of its vertices helps.
+// Collapses quads that are inverted or upside down: two opposite vertices become one. Quads as thin
+// as a line are collapsed, too, if no place of their vertices helps.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_star.h>
 

@@ -16,8 +16,8 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // Five quads in place of one that is inverted or flat: a small one inside, and four around it. So
-// each of its corners is shared by two quads, which helps where no move of vertices can: where two
-// features that a quad turns around are a straight line in space, or more than that.
+// two quads share each of its corners. This helps if no move of vertices can, because two features
+// that the quad turns around are a straight line in space, or more than that.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 

@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Borders that lie on no isocurve are followed in steps: at the corners of these, one quad and
-// three meet where the border is straight, so that the one has an angle of 180 degrees. Edges of
-// quads next to the border are moved until there are two and two. In large steps, some quads lie
+// Borders that lie on no isocurve are followed in steps. At the corners of steps of a straight
+// border, one quad and three quads meet in turn, so that the one has an angle of 180 degrees. Edges
+// of quads next to the border are moved until there are two and two. In large steps, some quads lie
 // on the border with all vertices; they are removed before.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>

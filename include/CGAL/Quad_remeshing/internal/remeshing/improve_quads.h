@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Gives quads a better shape that smoothing leaves inverted or thin: moves their vertices and those
-// next to them along the surface or the feature that they lie on, in whatever direction helps; and
-// takes vertices out that have two edges only, whose quads no place on a flat surface can mend.
+// Improves quads that smoothing leaves inverted or thin: moves their vertices and the vertices next
+// to them along the surface or their feature, in any direction that helps. Removes vertices of two
+// edges, whose quads no place on a flat surface can mend.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>

@@ -16,8 +16,7 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // The last resort for quads that are inverted or upside down: their vertices leave the features,
-// and where that is not enough the surface, by as little as helps. Exact signs decide whether it
-// does.
+// and then the surface, by as little as helps. Exact signs decide whether it does.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_star.h>
 

@@ -15,10 +15,10 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Moves the vertices of a quad mesh along the surface that it was made from, or along the feature
-// or border that they lie on, toward where their quads are rectangles and near the surface.
-// Smoothing looks at neighbors only, which does for small quads. Where there are few quads, places
-// all around are tried, too, and parts of the surface that are cut off count more.
+// Moves the vertices of a quad mesh along its surface, or along their feature or border, such that
+// quads come close to rectangles and to the surface. Smoothing looks at neighbors only, which is
+// enough for small quads. If there are few quads, places all around are tried, too, and parts of
+// the surface that are cut off count more.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Progress.h>

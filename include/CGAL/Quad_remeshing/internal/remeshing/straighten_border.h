@@ -16,8 +16,8 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // Borders in steps that are smaller than quads, as of height fields that end along the cells of a
-// grid. Each corner of a step would be one of a quad. So a map is made of other points: those of
-// the border are on straight lines near by, and those inside follow.
+// grid. Each corner of a step would be the corner of a quad. So a map is made of other points:
+// border points move to straight lines near by, and points inside follow.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Marked_surface.h>
 
