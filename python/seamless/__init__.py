@@ -1,0 +1,18 @@
+"""Exactly seamless parametrizations of surfaces and volumes, layouts, and quad meshes.
+
+Points are float64 arrays ``(n, 3)``, triangles integer arrays ``(m, 3)`` of rows from 0. Other layouts
+and types of numbers are converted. Nothing of the caller's is changed. What can't be done raises
+`Error`, a `ValueError` that tells the place and the remedy.
+"""
+
+from . import _core, examples
+from ._errors import Error
+from ._fields import read_field
+from ._layouts import extract_quads
+from ._surfaces import measure, parametrize, quad_remesh, sharp_edges, snap
+from ._volumes import measure_volume, snap_linear, snap_volume
+
+__version__ = _core.__version__
+__all__ = ["Error", "examples", "extract_quads", "measure",
+           "measure_volume", "parametrize", "quad_remesh", "read_field", "sharp_edges", "snap",
+           "snap_linear", "snap_volume"]

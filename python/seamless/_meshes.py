@@ -1,0 +1,60 @@
+"""What counts as a mesh: two arrays, or an object of another library that has them."""
+
+import numpy as np
+
+from . import _checks
+from ._errors import Error
+
+
+def _from_object(mesh):
+    """The arrays of an object like those of trimesh (vertices, faces) and meshio (points, cells)."""
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        return mesh.vertices, mesh.faces
+    if hasattr(mesh, "points") and hasattr(mesh, "cells"):
+        return mesh.points, _cells(mesh, "triangle", 3)
+    raise Error(f"V is a {type(mesh).__name__}, and F is missing; pass points and triangles, or a mesh "
+                "with vertices and faces, as of trimesh, or with points and cells, as of meshio")
+
+
+def _cells(mesh, kind, corners):
+    """All cells of a kind of a meshio mesh."""
+    blocks = []
+    for block in mesh.cells:
+        block_kind, data = (block.type, block.data) if hasattr(block, "type") else block
+        if block_kind == kind:
+            blocks.append(np.asarray(data))
+        elif kind == "triangle" and block_kind in ("quad", "polygon"):
+            raise Error(f"the mesh has cells of the kind {block_kind!r}; triangulate them first")
+    if not blocks:
+        raise Error(f"the mesh has no cells of the kind {kind!r}, of {corners} corners")
+    return np.concatenate(blocks)
+
+
+def surface(V, F):
+    """Return float64 points and int64 triangles."""
+    if F is None:
+        V, F = _from_object(V)
+    V = _checks.doubles(V, "V", (None, 3), "three coordinates for each point")
+    return V, _checks.triangles(F, "F", len(V))
+
+
+def corner_uv(uv, F):
+    """Return float64 coordinates of the corners of triangles."""
+    array = _checks._array(uv, "uv")
+    if array.ndim == 2 and array.shape == (3 * len(F), 2):
+        array = array.reshape(len(F), 3, 2)
+    if array.ndim == 2 and array.shape[1:] == (2,):
+        raise Error(f"uv has the shape {array.shape}; its shape must be ({len(F)}, 3, 2): two "
+                    "coordinates for each corner of each triangle; for coordinates of vertices, pass "
+                    "uv[F]")
+    return _checks.doubles(array, "uv", (len(F), 3, 2),
+                           "two coordinates for each corner of each triangle")
+
+
+def features(edges, size, name="features"):
+    """Return int64 pairs of vertices, or None."""
+    if edges is None:
+        return None
+    edges = _checks.indices(edges, name, 2, size, rows="two vertices for each edge",
+                            may_be_empty=True)
+    return edges if len(edges) > 0 else None

@@ -1,0 +1,415 @@
+"""Functions on surfaces: triangles, and coordinates of their corners."""
+
+import numpy as np
+
+from . import _checks, _core
+from ._errors import Error, checked, refused
+from ._fields import directions
+from ._meshes import corner_uv, features as checked_features, surface
+
+
+_MOST_QUADS = 10**7  # unless a maximum allows more
+
+
+def _call(function, *arguments):
+    """Call a compiled function; what it refuses is an `Error`."""
+    try:
+        return function(*arguments)
+    except _core.Refused as error:
+        raise refused(error) from None
+
+
+def sharp_edges(V, F=None, angle=40, *, minimum_length=0, weld=None):
+    """Find the edges at which a surface is sharp.
+
+    Parameters
+    ----------
+    V : array_like
+        points, ``(n, 3)``; or a mesh with ``vertices`` and ``faces``, or ``points`` and ``cells``
+    F : array_like, optional
+        triangles, ``(m, 3)``: rows of `V`
+    angle : float
+        an edge is sharp if the normals of its faces differ by at least this angle, in degrees
+    minimum_length : float
+        lines of sharp edges that are shorter and lead nowhere are left out, as noise makes them
+    weld : bool, optional
+        what to do about border edges in the same place, as of a mesh that is cut open along the seams
+        of a texture: True joins them, False leaves them open. By default they are refused.
+
+    Returns
+    -------
+    numpy.ndarray
+        int64 ``(k, 2)``: the vertices of each edge, as other functions take them for `features`
+
+    Raises
+    ------
+    Error
+        if an argument is not as above, or the triangles are no oriented surface
+
+    Examples
+    --------
+    >>> import seamless
+    >>> V, F = seamless.examples.box()
+    >>> seamless.sharp_edges(V, F).shape
+    (12, 2)
+    """
+    V, F = surface(V, F)
+    return _call(_core.sharp_edges, V, F, _checks.number(angle, "angle", 0, 180),
+                 _checks.number(minimum_length, "minimum_length", 0), _checks.choice(weld, "weld"))
+
+
+def parametrize(V, F=None, *, features=None, align_border=False, curvature=0, field=None, weld=None,
+                progress=None, report=False):
+    """Compute an exactly seamless parametrization of a surface.
+
+    Parameters
+    ----------
+    V : array_like
+        points, ``(n, 3)``; or a mesh with ``vertices`` and ``faces``, or ``points`` and ``cells``
+    F : array_like, optional
+        triangles, ``(m, 3)``: rows of `V`
+    features : array_like, optional
+        edges along which a coordinate is to be constant, ``(k, 2)``: rows of `V`. An edge that would
+        flip triangles is released; the report lists it.
+    align_border : bool
+        whether a coordinate is to be constant along each border edge
+    curvature : float
+        how strongly the field follows the principal directions of curvature; 0, or at least 1e-9
+    field : array_like or path, optional
+        a direction for each triangle, ``(m, 3)``, or a file that `read_field` reads. If it is 0, the
+        field is smooth there.
+    weld : bool, optional
+        as for `sharp_edges`
+    progress : callable, optional
+        is called with a line of text after each step, and a few times a second in long ones. What it
+        raises ends the work.
+    report : bool
+        whether to return a report, too
+
+    Returns
+    -------
+    uv : numpy.ndarray
+        float64 ``(m, 3, 2)``: two coordinates for each corner of each triangle
+    report : dict, if `report` is True
+        among others ``cones``, an int64 array of vertices and indices in quarter turns, and
+        ``released_edges``, ``(k, 2)``
+
+    Raises
+    ------
+    Error
+        if an argument is not as above, the triangles are no oriented surface, or no parametrization
+        is found
+
+    Examples
+    --------
+    >>> import seamless
+    >>> V, F = seamless.examples.torus()
+    >>> uv = seamless.parametrize(V, F)
+    >>> seamless.measure(F, uv)["number_of_inexact_edges"]
+    0
+    """
+    V, F = surface(V, F)
+    uv, figures = _call(
+        _core.parametrize, V, F, checked_features(features, len(V)),
+        _checks.flag(align_border, "align_border"), _checks.number(curvature, "curvature", 0),
+        directions(field, len(F)), _checks.choice(weld, "weld"), _checks.progress(progress))
+    figures = checked(figures)
+    return (uv, figures) if _checks.flag(report, "report") else uv
+
+
+def snap(F, uv, *, V=None, features=None, align_border=False, tolerance=1e-4, repair_flips=False,
+         weld=False, out=None, progress=None, report=False):
+    """Make a parametrization exactly seamless, by moving it about as much as it is inaccurate.
+
+    Afterwards the two sides of each edge differ by a rotation by a multiple of 90 degrees and a
+    translation, exactly, in the numbers that are returned. This is verified in exact arithmetic.
+
+    Parameters
+    ----------
+    F : array_like
+        triangles, ``(m, 3)``: numbers of vertices, from 0
+    uv : array_like
+        coordinates of the corners, ``(m, 3, 2)``
+    V : array_like, optional
+        points, ``(n, 3)``; only `weld` needs them
+    features : array_like, optional
+        edges along which a coordinate is to be constant, ``(k, 2)``
+    align_border : bool
+        whether a coordinate is to be constant along each border edge
+    tolerance : float
+        the largest violation that counts as inaccuracy, relative to the extent of the coordinates;
+        a larger one is an error
+    repair_flips : bool
+        whether to repair triangles that are flipped in the plane, if need be by changing the
+        coordinates around them
+    weld : bool
+        whether to join border edges of `V` in the same place, as of a mesh that was cut open along
+        its seams
+    out : numpy.ndarray, optional
+        receives the coordinates, if all goes well: float64, of the shape of `uv`; it may be `uv`
+    progress : callable, optional
+        as for `parametrize`
+    report : bool
+        whether to return a report, too
+
+    Returns
+    -------
+    uv : numpy.ndarray
+        float64 ``(m, 3, 2)``, or `out`
+    report : dict, if `report` is True
+        among others ``largest_change``, and ``status``: ``'already exact'`` if nothing had to be
+        moved, ``'snapped'``, or ``'exact, but flips remain'``
+
+    Raises
+    ------
+    Error
+        if an argument is not as above, or the coordinates are not seamless up to the tolerance. Then
+        nothing is written.
+
+    Examples
+    --------
+    >>> import seamless
+    >>> F, uv = seamless.examples.inexact_map()
+    >>> seamless.measure(F, uv)["exact"]
+    False
+    >>> seamless.measure(F, seamless.snap(F, uv))["exact"]
+    True
+    """
+    F, uv, V, features = _map(F, uv, V, features)
+    if out is not None:
+        _check_out(out, uv)
+    weld = _weld(weld, V)
+    tolerance = _checks.number(tolerance, "tolerance", 0, 1, is_open=True)
+    result, figures = _call(
+        _core.snap, F, uv, V, features, _checks.flag(align_border, "align_border"), tolerance,
+        _checks.flag(repair_flips, "repair_flips"), weld, _checks.progress(progress))
+    try:
+        figures = checked(figures)
+    except Error as error:
+        raise _with_atlas(error, F, uv, tolerance) from None
+    if out is not None:
+        out[...] = result
+        result = out
+    return (result, figures) if _checks.flag(report, "report") else result
+
+
+def measure(F, uv, *, V=None, features=None, align_border=False, weld=False):
+    """Measure how far a parametrization is from being exactly seamless.
+
+    Parameters
+    ----------
+    F, uv, V, features, align_border, weld
+        as for `snap`
+
+    Returns
+    -------
+    dict
+        ``exact`` tells whether all seams and alignments hold exactly. Counts, which are exact:
+        ``number_of_interior_edges``, ``number_of_mismatched_edges`` (with different coordinates on
+        both sides), ``number_of_inexact_edges``, ``number_of_aligned_edges``,
+        ``number_of_misaligned_edges``, ``number_of_flipped_faces``,
+        ``number_of_degenerate_faces``. Lengths: ``extent``, ``violation``, ``misalignment``.
+        ``cones`` is an int64 array of vertices and their indices in quarter turns, or None if the
+        coordinates are not seamless at all.
+
+    Raises
+    ------
+    Error
+        if an argument is not as for `snap`
+
+    Examples
+    --------
+    >>> import seamless
+    >>> F, uv = seamless.examples.inexact_map()
+    >>> seamless.measure(F, uv)["number_of_flipped_faces"]
+    0
+    """
+    F, uv, V, features = _map(F, uv, V, features)
+    return _call(_core.measure, F, uv, V, features, _checks.flag(align_border, "align_border"),
+                 _weld(weld, V))
+
+
+def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maximum=None,
+                features=None, feature_loss=0, field=None, sizes=None, curvature=None, adaptivity=1,
+                border_tolerance=None, symmetry=None, weld=None, progress=None, report=False):
+    """Remesh a triangle mesh with quads only.
+
+    Parameters
+    ----------
+    V : array_like
+        points, ``(n, 3)``; or a mesh with ``vertices`` and ``faces``, or ``points`` and ``cells``
+    F : array_like, optional
+        triangles, ``(m, 3)``: rows of `V`
+    quads : int, optional
+        about how many quads to make; 10,000 by default
+    edge_length : float, optional
+        instead, how long to make their edges
+    coarsest : bool
+        instead, make as few quads as the search finds
+    maximum : int, optional
+        the largest number of quads; if features force more, this is an error. The default is a
+        hundred times the number wanted, and at least 100,000.
+    features : array_like, optional
+        edges that the quads keep, ``(k, 2)``: rows of `V`, as `sharp_edges` returns them
+    feature_loss : float
+        the part of the length of the features that may be released if they force quads, from 0 to 1
+    field : array_like or path, optional
+        a direction of the quads for each triangle, ``(m, 3)``, or a file that `read_field` reads. If
+        it is 0, the field is smooth there.
+    sizes : array_like, optional
+        how long to make the edges at each vertex, ``(n,)``. With `quads`, only their ratios count;
+        with `edge_length`, they are multiples of it.
+    curvature : float, optional
+        how strongly the quads follow the principal directions of curvature; by default a little
+    adaptivity : float
+        make quads up to so many times larger where the surface is flat
+    border_tolerance : float, optional
+        how far straight lines may be from the border that stand in for it, to have fewer corners; half
+        an edge of the quads by default
+    symmetry : str or array_like, optional
+        mirror one half: by ``'x'``, ``'y'``, ``'z'`` for a coordinate plane, by four numbers
+        ``a, b, c, d`` for the plane ``a x + b y + c z + d = 0``, whose positive side is kept, or
+        ``'auto'`` to find a plane by which the vertices are symmetric
+    weld : bool, optional
+        as for `sharp_edges`
+    progress : callable, optional
+        as for `parametrize`
+    report : bool
+        whether to return a report, too
+
+    Returns
+    -------
+    V : numpy.ndarray
+        float64 ``(l, 3)``: the points
+    Q : numpy.ndarray
+        int64 ``(k, 4)``: the quads, each of four rows of the points
+    report : dict, if `report` is True
+        figures such as ``number_of_inverted_quads`` and ``mean_scaled_jacobian``; and what ties the
+        quads to the input: ``faces_of_vertices`` and ``weights_of_vertices``, the triangle and the
+        barycentric coordinates of the place nearest to each point; ``faces_of_quads``; and
+        ``feature_edges``, pairs of points
+
+    Raises
+    ------
+    Error
+        if an argument is not as above, the triangles are no oriented surface, or no quads are found
+
+    Examples
+    --------
+    >>> import seamless
+    >>> V, F = seamless.examples.torus()
+    >>> V2, Q = seamless.quad_remesh(V, F, quads=500)
+    >>> Q.shape[1]
+    4
+    """
+    V, F = surface(V, F)
+    if sum([quads is not None, edge_length is not None, coarsest is True]) > 1:
+        raise Error("quads, edge_length, and coarsest exclude each other; pass one of them")
+    if sizes is not None:
+        sizes = _checks.doubles(sizes, "sizes", (len(V),), "a length for each row of V")
+        if sizes.min() <= 0:
+            raise Error(f"row {int(np.argmax(sizes <= 0))} of sizes is {sizes[sizes <= 0][0]}; sizes "
+                        "must be positive")
+        if quads is None and edge_length is None and coarsest is not True:
+            edge_length = 1
+    if edge_length is not None:
+        edge_length = _checks.number(edge_length, "edge_length", 0, is_open=True)
+    if maximum is not None:
+        maximum = _checks.count(maximum, "maximum")
+    number = _checks.count(10000 if quads is None else quads, "quads")
+    if number > _MOST_QUADS and maximum is None:
+        raise Error(f"quads is {number}; so many are mostly a mistake, and take long; pass maximum, too")
+    plane, finds_plane = _plane(symmetry)
+    wishes = _core.Wishes(
+        number_of_quads=number,
+        edge_length=edge_length, coarsest=_checks.flag(coarsest, "coarsest"), maximum_number=maximum,
+        feature_loss=_checks.number(feature_loss, "feature_loss", 0, 1),
+        curvature=None if curvature is None else _checks.number(curvature, "curvature", 0),
+        border_tolerance=None if border_tolerance is None
+        else _checks.number(border_tolerance, "border_tolerance", 0),
+        adaptivity=_checks.number(adaptivity, "adaptivity", 1), plane=plane, finds_plane=finds_plane)
+    points, polygons, figures = _call(
+        _core.quad_remesh, V, F, checked_features(features, len(V)), directions(field, len(F)), sizes,
+        wishes, _checks.choice(weld, "weld"), _checks.progress(progress))
+    figures = checked(figures)
+    return (points, polygons, figures) if _checks.flag(report, "report") else (points, polygons)
+
+
+def _map(F, uv, V, features, needs_points=False):
+    """The checked arrays of a map."""
+    size = None
+    if V is not None or needs_points:
+        V = _checks.doubles(V, "V", (None, 3), "three coordinates for each point")
+        size = len(V)
+    F = _checks.triangles(F, "F", size)
+    return F, corner_uv(uv, F), V, checked_features(features, size)
+
+
+def _weld(weld, V):
+    if _checks.flag(weld, "weld") and V is None:
+        raise Error("weld=True joins border edges between the same points; pass V, too")
+    return bool(weld)
+
+
+def _check_out(out, uv):
+    if not (isinstance(out, np.ndarray) and out.dtype == np.float64 and out.shape == uv.shape
+            and out.flags.writeable):
+        raise Error(f"out must be a float64 array of the shape {uv.shape} that can be written; make it "
+                    "by numpy.empty()")
+
+
+def _plane(symmetry):
+    """The four numbers of a plane, or None, and whether it is to be found."""
+    if symmetry is None:
+        return None, False
+    if isinstance(symmetry, str):
+        if symmetry == "auto":
+            return None, True
+        if symmetry not in ("x", "y", "z"):
+            raise Error(f"symmetry is {symmetry!r}, but must be 'x', 'y', 'z', 'auto', or four numbers")
+        return [float(symmetry == axis) for axis in "xyz"] + [0.], False
+    plane = _checks.doubles(symmetry, "symmetry", (4,), "a, b, c, d of the plane a x + b y + c z + d = 0")
+    if not plane[:3].any():
+        raise Error("symmetry is no plane; one of its first three numbers must not be 0")
+    return plane.tolist(), False
+
+
+def _with_atlas(error, F, uv, tolerance):
+    """The error, with what to do about a texture atlas if the coordinates look like one."""
+    if error.status != "not seamless":
+        return error
+    cuts, misfits, gross = _misfits(F, uv, tolerance)
+    if misfits == 0:
+        return error
+    message = f"{error.args[0]}; {misfits} of {cuts} cut edges don't fit"
+    if 2 * gross > cuts:
+        message += (": this looks like a texture atlas, whose charts are laid out independently, and a "
+                    "larger tolerance does not help; pass the mesh to parametrize(), which computes "
+                    "coordinates that fit")
+    return Error(message, error.status, error.report)
+
+
+def _misfits(F, uv, tolerance):
+    """How many edges are cut; by how many no rotation by a multiple of 90 degrees fits; and how many
+    of these are off by more than an eighth of their length."""
+    m = len(F)
+    sides = np.sort(np.stack([F, np.roll(F, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
+    order = np.lexsort(sides.T)
+    same = (sides[order[1:]] == sides[order[:-1]]).all(axis=1)
+    first, second = order[:-1][same], order[1:][same]
+    start = uv.reshape(-1, 2)
+    end = np.roll(uv, -1, axis=1).reshape(-1, 2)
+    largest = tolerance * np.ptp(uv.reshape(3 * m, 2), axis=0).max()
+    with np.errstate(all="ignore"):
+        is_cut = np.maximum(np.abs(start[first] - end[second]).max(axis=1),
+                            np.abs(end[first] - start[second]).max(axis=1)) > largest
+        a = (end[first] - start[first])[is_cut]
+        b = (start[second] - end[second])[is_cut]
+        distance = np.full(len(a), np.inf)
+        turned = b
+        for _ in range(4):
+            distance = np.minimum(distance, np.abs(a - turned).max(axis=1))
+            turned = np.stack([-turned[:, 1], turned[:, 0]], axis=1)
+        length = np.maximum(np.abs(a).max(axis=1), np.abs(b).max(axis=1))
+        bad = distance > largest
+        return len(a), int(bad.sum()), int((bad & (8 * distance > length)).sum())

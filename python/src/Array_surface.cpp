@@ -1,0 +1,208 @@
+#include "Array_surface.h"
+
+#include "Call.h"
+
+#include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace SS = CGAL::Seamless_snapping;
+
+namespace {
+
+using Soup = SS::internal::Corner_soup<double, double>;
+
+// The rows that triangles have, in their order.
+std::vector<std::size_t> rows_of_triangles(const Surface_arrays& arrays)
+{
+  const std::size_t n = 3 * arrays.number_of_triangles;
+  const std::int64_t* const begin = arrays.triangles;
+  std::vector<std::size_t> result;
+  const std::size_t end = n == 0 ? 0 : std::size_t(*std::max_element(begin, begin + n)) + 1;
+  if(end <= 4 * n) { // else there would be more flags than corners
+    std::vector<char> has_face(end, 0);
+    for(std::size_t i = 0; i < n; ++i)
+      has_face[std::size_t(begin[i])] = 1;
+    for(std::size_t v = 0; v < end; ++v)
+      if(has_face[v])
+        result.push_back(v);
+    return result;
+  }
+  result.assign(begin, begin + n);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// The numbers of rows among those that have faces.
+class Numbers_of_rows
+{
+public:
+  explicit Numbers_of_rows(const std::vector<std::size_t>& rows) : m_rows(rows)
+  {
+    if(rows.back() < 4 * rows.size()) {
+      m_numbers.resize(rows.back() + 1);
+      for(std::size_t v = 0; v < rows.size(); ++v)
+        m_numbers[rows[v]] = SS::internal::Soup_index(v);
+    }
+  }
+
+  SS::internal::Soup_index operator()(const std::int64_t row) const
+  {
+    if(!m_numbers.empty())
+      return m_numbers[std::size_t(row)];
+    const auto it = std::lower_bound(m_rows.begin(), m_rows.end(), std::size_t(row));
+    return SS::internal::Soup_index(it - m_rows.begin());
+  }
+
+private:
+  const std::vector<std::size_t>& m_rows;
+  std::vector<SS::internal::Soup_index> m_numbers;
+};
+
+[[noreturn]] void refuse_feature(const Surface_arrays& arrays, const std::size_t i)
+{
+  throw Refused(SS::Outcome::INVALID_ARGUMENT,
+                "row " + std::to_string(i) + " of features: no triangle has an edge between the "
+                "vertices " + std::to_string(arrays.features[2 * i]) + " and " +
+                std::to_string(arrays.features[2 * i + 1]) +
+                "; take pairs of vertices that follow each other around a triangle");
+}
+
+Soup soup_of(const Surface_arrays& arrays, const std::vector<std::size_t>& rows)
+{
+  Soup soup;
+  soup.points.resize(rows.size());
+  for(std::size_t v = 0; v < rows.size(); ++v)
+    if(arrays.points == nullptr)
+      soup.points[v] = {{double(v), 0, 0}};
+    else
+      std::copy_n(arrays.points + 3 * rows[v], 3, soup.points[v].begin());
+  const Numbers_of_rows number(rows);
+  soup.triangles.resize(arrays.number_of_triangles);
+  for(std::size_t f = 0; f < soup.triangles.size(); ++f)
+    for(std::size_t k = 0; k < 3; ++k) {
+      soup.triangles[f].vertices[k] = number(arrays.triangles[3 * f + k]);
+      soup.triangles[f].uvs[k] =
+        arrays.uv == nullptr ? 0 : SS::internal::Soup_index(3 * f + k);
+    }
+  soup.uvs.assign(1, {{0, 0}});
+  if(arrays.uv != nullptr) {
+    soup.uvs.resize(3 * arrays.number_of_triangles);
+    std::copy_n(arrays.uv, 2 * soup.uvs.size(), soup.uvs.front().data());
+  }
+  for(std::size_t i = 0; i < arrays.number_of_features; ++i) {
+    Soup::Segment segment{};
+    for(std::size_t k = 0; k < 2; ++k) {
+      const std::int64_t row = arrays.features[2 * i + k];
+      if(!std::binary_search(rows.begin(), rows.end(), std::size_t(row)))
+        refuse_feature(arrays, i);
+      segment.vertices[k] = number(row);
+    }
+    soup.segments.push_back(segment);
+  }
+  return soup;
+}
+
+} // namespace
+
+Surface_arrays::Surface_arrays(const Integers& t, const std::optional<Doubles>& p,
+                               const std::optional<Doubles>& coordinates,
+                               const std::optional<Integers>& edges)
+  : number_of_triangles(std::size_t(t.shape(0))),
+    number_of_points(p ? std::size_t(p->shape(0)) : 0),
+    number_of_features(edges ? std::size_t(edges->shape(0)) : 0), triangles(t.data()),
+    features(edges ? edges->data() : nullptr), points(p ? p->data() : nullptr),
+    uv(coordinates ? coordinates->data() : nullptr)
+{ }
+
+Array_surface::Array_surface(const Surface_arrays& arrays, const bool weld)
+{
+  using namespace SS::internal;
+  const std::vector<std::size_t> rows = rows_of_triangles(arrays);
+  Soup soup = soup_of(arrays, rows);
+  Vertex_changes changes;
+  std::optional<Soup_edges<Soup::Triangle> > edges;
+  try {
+    edges = connect_soup(weld, soup, changes);
+  } catch(const File_refusal& refusal) {
+    throw Refused(SS::Outcome::NOT_MANIFOLD, refusal.message(), renamed(rows));
+  }
+  m_number_of_coinciding_border_edges = changes.number_of_coinciding_border_edges;
+  for(const std::size_t v : changes.file_vertices)
+    m_rows.push_back(rows[v]);
+  const std::size_t n = soup.triangles.size();
+  mesh.reserve(Mesh::size_type(soup.points.size()), Mesh::size_type(n + n / 2 + n / 8),
+               Mesh::size_type(n));
+  m_corners = add_triangles(soup, add_vertices(soup.points, changes, mesh, mesh.points()), mesh,
+                            uv_map);
+  for(std::size_t i = 0; i < soup.segments.size(); ++i) {
+    const Side_index side =
+      edges->find(soup.segments[i].vertices[0], soup.segments[i].vertices[1]);
+    if(side == Soup_edges<Soup::Triangle>::no_side)
+      refuse_feature(arrays, i);
+    is_feature[mesh.edge(m_corners[side])] = true;
+  }
+  for(Halfedge& h : m_corners) // from corner k to the next
+    h = mesh.prev(h);
+}
+
+void Array_surface::add_border()
+{
+  for(const Edge e : mesh.edges())
+    is_feature[e] = is_feature[e] || mesh.is_border(e);
+}
+
+void Array_surface::turn_if_mirrored()
+{
+  if(area_in_domain().first >= 0)
+    return;
+  m_is_mirrored = true;
+  for(const Halfedge h : m_corners)
+    uv_map[h] = Kernel::Point_2(uv_map[h].y(), uv_map[h].x());
+}
+
+void Array_surface::write_uv(double* uv) const
+{
+  for(const Halfedge h : m_corners) {
+    *uv++ = uv_map[h][m_is_mirrored ? 1 : 0];
+    *uv++ = uv_map[h][m_is_mirrored ? 0 : 1];
+  }
+}
+
+void Array_surface::read_uv(const double* uv)
+{
+  for(const Halfedge h : m_corners) {
+    uv_map[h] = m_is_mirrored ? Kernel::Point_2(uv[1], uv[0]) : Kernel::Point_2(uv[0], uv[1]);
+    uv += 2;
+  }
+}
+
+std::pair<double, int> Array_surface::area_in_domain(const bool only_positive) const
+{
+  double largest = 0, area = 0;
+  for(const Halfedge h : m_corners)
+    largest = (std::max)({largest, std::abs(uv_map[h].x()), std::abs(uv_map[h].y())});
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  const auto scaled = [&](const Halfedge h) {
+    return Kernel::Point_2(std::ldexp(uv_map[h].x(), -exponent),
+                           std::ldexp(uv_map[h].y(), -exponent));
+  };
+  for(const auto f : mesh.faces()) {
+    const Halfedge h = mesh.halfedge(f);
+    const double of_face = CGAL::area(scaled(h), scaled(mesh.next(h)), scaled(mesh.prev(h)));
+    area += only_positive ? (std::max)(of_face, 0.) : of_face;
+  }
+  return {area, exponent};
+}
+
+std::vector<std::size_t> renamed(const std::vector<std::size_t>& rows)
+{
+  for(std::size_t v = 0; v < rows.size(); ++v)
+    if(rows[v] != v)
+      return rows;
+  return {};
+}

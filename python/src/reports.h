@@ -1,0 +1,47 @@
+// What functions report, as dictionaries of Python: the names are those of the members.
+
+#ifndef SEAMLESS_SNAPPING_PYTHON_REPORTS_H
+#define SEAMLESS_SNAPPING_PYTHON_REPORTS_H
+
+#include "Array_surface.h"
+#include "arrays.h"
+
+#include <CGAL/Linear_snapping/types/Linear_report.h>
+#include <CGAL/Linear_snapping/types/Report.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+inline py::dict dict_of(const std::vector<std::pair<std::string, double> >& step_times)
+{
+  py::dict result;
+  for(const auto& [step, seconds] : step_times)
+    result[py::str(step)] = (result.contains(step) ? result[py::str(step)].cast<double>() : 0)
+                            + seconds;
+  return result;
+}
+
+// \param surface whose vertices the message is about
+inline py::dict dict_of(const CGAL::Linear_snapping::Report& report,
+                        const Array_surface* const surface = nullptr)
+{
+  using namespace py::literals;
+  py::dict result("success"_a = bool(report), "status"_a = to_string(report.status),
+                  "message"_a = report.message);
+  if(surface != nullptr)
+    if(auto rows = renamed(surface->rows()); !rows.empty())
+      result["rows"] = std::move(rows);
+  return result;
+}
+
+inline void add_distances(py::dict& result, const CGAL::Linear_snapping::Linear_report& report)
+{
+  result["extent"] = report.extent;
+  result["violation_before"] = report.violation_before;
+  result["largest_change"] = report.largest_change;
+  result["mean_change"] = report.mean_change;
+  result["step_times"] = dict_of(report.step_times);
+}
+
+#endif // SEAMLESS_SNAPPING_PYTHON_REPORTS_H

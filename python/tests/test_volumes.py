@@ -1,0 +1,130 @@
+"""Volumes and linear systems, checked in rational numbers."""
+
+import itertools
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import scipy.sparse
+
+import seamless
+
+T, UVW = seamless.examples.inexact_volume(3)
+
+
+def rotations():
+    """The 24 rotations of the cube, as signed permutations."""
+    for order in itertools.permutations(range(3)):
+        for signs in itertools.product((1, -1), repeat=3):
+            matrix = np.zeros((3, 3), int)
+            matrix[range(3), order] = signs
+            if round(np.linalg.det(matrix)) == 1:
+                yield order, signs
+
+
+def is_exact(uvw):
+    """By the definition: all facets, and a constant coordinate on each of the boundary."""
+    facets = {}
+    for c, cell in enumerate(T.tolist()):
+        for omitted in range(4):
+            corners = sorted((cell[k], k) for k in range(4) if k != omitted)
+            values = [[Fraction(float(x)) for x in uvw[c, k]] for _, k in corners]
+            facets.setdefault(tuple(v for v, _ in corners), []).append(values)
+    all_rotations = list(rotations())
+    for sides in facets.values():
+        changes = [[[p[i] - s[0][i] for i in range(3)] for p in s[1:]] for s in sides]
+        if len(sides) == 1:
+            if not any(all(change[i] == 0 for change in changes[0]) for i in range(3)):
+                return False
+        elif not any(all([sign * a[axis] for axis, sign in zip(order, signs)] == b
+                         for a, b in zip(*changes)) for order, signs in all_rotations):
+            return False
+    return True
+
+
+def test_snapping_is_exact():
+    rng = np.random.default_rng(2)
+    turned = UVW.copy()
+    for c in range(len(T)):  # charts of their own
+        order, signs = list(rotations())[rng.integers(24)]
+        turned[c] = turned[c][:, list(order)] * signs + rng.random(3)
+    for uvw in (UVW, turned):
+        assert not is_exact(uvw) and not seamless.measure_volume(T, uvw)["exact"]
+        result, report = seamless.snap_volume(T, uvw, report=True)
+        assert is_exact(result) and seamless.measure_volume(T, result)["exact"]
+        assert np.abs(result - uvw).max() == report["largest_change"]
+        assert report["lost_cells"] == []
+
+
+def test_integer_grid():
+    """The facets of the boundary come to integers, and vertices inside stay where they are."""
+    assert not seamless.measure_volume(T, UVW)["integer_grid"]
+    for scale in (1, 2):
+        uvw = seamless.snap_volume(T, UVW, integer_grid=True, grid_scale=scale)
+        assert seamless.measure_volume(T, uvw)["integer_grid"]
+        assert np.abs(uvw - scale * np.round(UVW)).max() < 1e-7
+        outside = (np.round(UVW) == 0) | (np.round(UVW) == 3)
+        assert (uvw[outside] == scale * np.round(UVW)[outside]).all()
+
+
+def test_features():
+    facet, edge = T[0, :3], T[0, :2]
+    uvw = seamless.snap_volume(T, UVW, feature_facets=[facet], feature_edges=[edge])
+    measured = seamless.measure_volume(T, uvw, feature_facets=[facet], feature_edges=[edge])
+    assert measured["exact"] and measured["number_of_aligned_edges"] == 1
+
+
+@pytest.mark.parametrize("call, words", [
+    (lambda: seamless.snap_volume(T[:, :3], UVW), "T has the shape"),
+    (lambda: seamless.snap_volume(T, UVW[:-1]), "uvw has the shape"),
+    (lambda: seamless.snap_volume(np.where(T == T[3, 1], T[3, 0], T), UVW), "of T has a vertex twice"),
+    (lambda: seamless.snap_volume(-T - 1, UVW), "row 0 of T has the index"),
+    (lambda: seamless.snap_volume(np.concatenate([T, T[:1]]), np.concatenate([UVW, UVW[:1]])),
+     "not manifold"),
+    (lambda: seamless.snap_volume(T, UVW, feature_edges=[[0, 63]]), "feature"),
+    (lambda: seamless.snap_volume(T, UVW * np.nan), "row 0 of uvw is not finite"),
+    (lambda: seamless.snap_volume(T, UVW, rounding=-1), "rounding is -1"),
+    (lambda: seamless.snap_linear([[1, 2]], [0], [1.]), "A has 2 columns, but x has 1"),
+    (lambda: seamless.snap_linear([[1, 2]], [0, 1], [1., 2]), "b has 2 numbers, but A has 1"),
+    (lambda: seamless.snap_linear([[1, 2]], [np.nan], [1., 2]), "row 0 of b is not finite"),
+    (lambda: seamless.snap_linear([[1, np.inf]], [1], [1., 2]), "row 0 of A is not finite"),
+    (lambda: seamless.snap_linear([[1, "a"]], [1], [1., 2]), "pass rows of numbers"),
+    (lambda: seamless.snap_linear([[1, 2]], [1], [1., 2], weights=[1, 0]), "row 1 of weights"),
+    (lambda: seamless.snap_linear([1, 2], [1], [1., 2]), "A has the shape"),
+    (lambda: seamless.snap_linear([[1, 2j]], [1], [1., 2]), "pass rows of numbers"),
+])
+def test_refused(call, words):
+    with pytest.raises(seamless.Error, match=words):
+        call()
+
+
+def residuals(A, b, x):
+    return [sum(Fraction(a) * Fraction(float(v)) for a, v in zip(row, x)) - Fraction(c)
+            for row, c in zip(A, b)]
+
+
+def test_linear_systems():
+    rng = np.random.default_rng(4)
+    for trial in range(20):
+        A = rng.integers(-2, 3, (4, 9))
+        b = (A @ rng.integers(-5, 6, 9)).tolist()
+        x = np.linalg.lstsq(A, b, rcond=None)[0] + 1e-9 * rng.standard_normal(9)
+        expected = seamless.snap_linear(A, b, x)
+        assert not any(residuals(A.tolist(), b, expected))
+        for same in (scipy.sparse.csr_matrix(A), scipy.sparse.coo_matrix(A), A.astype(float),
+                     A.astype(np.int8), A.astype(object)):
+            assert (seamless.snap_linear(same, b, x) == expected).all()
+
+
+def test_fractions_of_any_size():
+    A = [[Fraction(1, 3), 2**100, 0], [0, 1, Fraction(-2, 7)]]
+    b = [0, Fraction(0)]
+    x, report = seamless.snap_linear(A, b, [3.0 * 2**100, -1.0, -3.5000001], report=True)
+    assert not any(residuals(A, b, x)) and report["status"] == "snapped"
+
+
+def test_contradiction():
+    with pytest.raises(seamless.Error) as caught:
+        seamless.snap_linear([[1, 1], [0, 1], [1, 2]], [0, 1, 2], [1., 2.])
+    assert caught.value.status == "inconsistent"
+    assert sorted(caught.value.report["contradicting_rows"].tolist()) == [0, 1, 2]
