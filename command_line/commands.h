@@ -12,6 +12,7 @@
 using Arguments = std::vector<std::string>;
 
 void check(const Arguments& arguments);
+void hexes(const Arguments& arguments);
 void layout(const Arguments& arguments);
 void make_body(const Arguments& arguments);
 void parametrize(const Arguments& arguments);

@@ -290,8 +290,8 @@ std::string suffix_of(const std::string& filename)
 void check_no_tetrahedra(const std::string& filename)
 {
   if(suffix_of(filename) == "hexex")
-    throw Failure(USAGE, "'" + filename + "': tetrahedra are for 'seamless snap' and 'seamless "
-                         "check' only");
+    throw Failure(USAGE, "'" + filename + "': tetrahedra are for 'seamless snap', 'seamless "
+                         "hexes', and 'seamless check' only");
 }
 
 void check_picture(const std::string& filename)

@@ -22,13 +22,15 @@ struct Command
   void (*run)(const Arguments&);
 };
 
-const std::array<Command, 8> commands = {{
+const std::array<Command, 9> commands = {{
   {"snap", "make the parametrization in a file exactly seamless", "", snap},
   {"check", "tell whether the parametrization in a file is exactly seamless", "", check},
   {"parametrize", "compute an exactly seamless parametrization of a mesh", "", parametrize},
   {"quads", "make the quads of a parametrization",
    "; ask for fewer quads by --number", quads},
   {"remesh", "remesh a triangle mesh with quads", "; ask for fewer quads by --number", remesh},
+  {"hexes", "make a mesh of hexahedra of a parametrized tetrahedral mesh",
+   "; ask for fewer hexahedra by --number", hexes},
   {"layout", "divide a parametrized surface into rectangles along isocurves", "", layout},
   {"trace", "follow isocurves from singular vertices, before and after snapping",
    "; lower --maximum-number, or leave out --all", trace},

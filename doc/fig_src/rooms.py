@@ -39,6 +39,7 @@ WORDS = {  # what a room is for
     "quantization": "integers for a coarse complex",
     "remeshing": "smooths and divides quads",
     "hexahedra": "hexahedra of integer-grid maps",
+    "shape": "shapes of hexahedra, moves of vertices",
     "IO": "parses and writes files",
 }
 

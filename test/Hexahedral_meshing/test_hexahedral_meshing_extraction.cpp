@@ -198,19 +198,21 @@ void test_outputs()
   }
 }
 
-// Hexahedra are positive in space whether the map mirrors or not.
+// Hexahedra are positive in space whether the map mirrors or not, each component by itself.
 void test_mirrored_maps()
 {
-  for(const bool is_mirrored : {false, true}) {
-    Integer_map map = integer_maps::Builder(volume_generator::lattice_cubes("box", {{{0, 0, 0}}}),
-                                            Charts::BLOCKS, 2, 3).build();
+  for(const int mirrored : {0, 1, 2}) {
+    Integer_map map = integer_maps::Builder(
+      volume_generator::lattice_cubes("boxes", {{{0, 0, 0}}, {{6, 0, 0}}}), Charts::BLOCKS, 2, 3)
+                        .build();
     for(std::size_t i = 0; i < map.in_block.size(); ++i)
       map.points[std::size_t(map.map.cells[i / 4][i % 4])] = map.in_block[i];
-    if(is_mirrored)
-      for(Point& u : map.map.corners)
-        u[1] = -u[1];
+    for(std::size_t i = 0; i < map.map.corners.size(); ++i) // of the second box, or of both
+      if(int(i / (4 * 24)) >= 2 - mirrored)
+        map.map.corners[i][1] = -map.map.corners[i][1];
     Hexahedra hexahedra;
     CHECK(bool(extract(map, hexahedra)));
+    CHECK_EQUAL(hexahedra.cells.size(), std::size_t(16));
     for(const auto& cell : hexahedra.cells) {
       std::array<Point, 3> e;
       for(std::size_t i = 0; i < 3; ++i)
@@ -258,6 +260,8 @@ void test_refusals()
   const std::string snap = "snap_volume_to_seamless()";
   Integer_map bad = map;
   std::swap(bad.map.corners[4 * 17], bad.map.corners[4 * 17 + 1]);
+  check_refusal(Outcome::NOT_POSITIVE, bad, "cell 17", "repair_flips");
+  bad.map.corners[4 * 17] = bad.map.corners[4 * 17 + 1];
   check_refusal(Outcome::NOT_POSITIVE, bad, "cell 17", "repair_flips");
   bad = map; // the center of a cube is in no boundary: one of its corners moves alone
   bad.map.corners[4 * 17][0] += 0x1p-40;

@@ -72,6 +72,7 @@
   F(rounding_tolerance_t, rounding_tolerance, rounding_tolerance)                                  \
   F(symmetry_plane_t, symmetry_plane, symmetry_plane)                                              \
   F(target_edge_length_t, target_edge_length, target_edge_length)                                  \
+  F(target_number_of_hexahedra_t, target_number_of_hexahedra, target_number_of_hexahedra)          \
   F(target_number_of_quads_t, target_number_of_quads, target_number_of_quads)                      \
   F(target_vertex_t, target_vertex, target_vertex)                                                 \
   F(tolerance_t, tolerance, tolerance)                                                             \
@@ -275,6 +276,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)
  * - `symmetry_plane`: the plane by which a quad mesh is to be its own mirror image
  * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
+ * - `target_number_of_hexahedra`: about how many hexahedra a mesh has (`std::size_t`)
  * - `target_number_of_quads`: about how many quads a quantization has (`std::size_t`)
  * - `target_vertex`: the vertex at which an isocurve ends
  * - `tolerance`: the largest violation that is taken for numerical noise, relative to the extent of

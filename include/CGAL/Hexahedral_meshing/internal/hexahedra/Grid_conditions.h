@@ -45,11 +45,10 @@ class Grid_conditions
   using Group = Cube_rotations;
 
 public:
-  explicit Grid_conditions(Flat_volume& volume)
+  explicit Grid_conditions(const Flat_volume& volume)
     : m_volume(volume)
   { }
 
-  // In a map of negative cells, the first coordinate is negated: then they are positive.
   std::optional<Refusal> check()
   {
     std::optional<Refusal> refusal = check_size();
@@ -131,11 +130,8 @@ private:
     return std::nullopt;
   }
 
-  std::optional<Refusal> check_orientations()
+  std::optional<Refusal> check_orientations() const
   {
-    if(orientation_of_most_cells(m_volume.coordinates) == CGAL::NEGATIVE)
-      for(Uvw& u : m_volume.coordinates)
-        u[0] = -u[0];
     std::vector<std::size_t> bad;
     for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c)
       if(orientation(uvw_of_cell(m_volume.coordinates, c)) != CGAL::POSITIVE)
@@ -282,7 +278,7 @@ private:
     return result;
   }
 
-  Flat_volume& m_volume;
+  const Flat_volume& m_volume;
   Volume_transitions m_transitions; // of the open facets, all of which are cuts
   std::size_t m_number_of_edges = 0;
   std::map<int, double> m_singular_lengths;

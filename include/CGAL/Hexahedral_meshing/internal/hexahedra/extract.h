@@ -50,9 +50,9 @@ struct Hexahedral_soup
 };
 
 // Extracts, and fills in the numbers of the report. Returns why there is nothing, if so.
-// \param volume all cells, with an aligned boundary; its coordinates may be mirrored afterwards
+// \param volume all cells, with an aligned boundary
 // \param points per vertex of the volume
-std::optional<Refusal> extract(Flat_volume& volume, const std::vector<Uvw>& points,
+std::optional<Refusal> extract(const Flat_volume& volume, const std::vector<Uvw>& points,
                                const Extraction_options& options, Hexahedral_soup& soup,
                                Hexahedra_report& report);
 

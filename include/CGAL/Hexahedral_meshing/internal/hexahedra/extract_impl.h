@@ -24,6 +24,8 @@
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Hexahedra_topology.h>
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/extract.h>
 
+#include <CGAL/Seamless_snapping/internal/volume/Signed_union_find.h>
+
 #include <CGAL/Exact_rational.h>
 #include <CGAL/tags.h>
 
@@ -84,7 +86,7 @@ template <typename ConcurrencyTag>
 class Hexahedra_extraction
 {
 public:
-  Hexahedra_extraction(Flat_volume& volume, const std::vector<Uvw>& points,
+  Hexahedra_extraction(const Flat_volume& volume, const std::vector<Uvw>& points,
                        const Extraction_options& options, Hexahedral_soup& soup,
                        Hexahedra_report& report)
     : m_volume(volume), m_points(points), m_options(options), m_soup(soup), m_report(report)
@@ -102,11 +104,11 @@ public:
       const Grid_vertices vertices(map, ConcurrencyTag());
       if(vertices.size() > largest_number)
         return too_large(double(vertices.size()), largest_number);
+      find_mirrored_cells();
       if(!find_hexahedra(map, vertices))
         return error_of_ours("a walk from a center to a corner has no end");
       find_points(map, vertices);
     }
-    turn_hexahedra();
     return conclude(conditions);
   }
 
@@ -159,8 +161,8 @@ private:
     });
   }
 
-  static void add_hexahedra(const Grid_map& map, const std::int32_t cell, Corner_finder& corners,
-                            std::vector<Hexahedron>& result)
+  void add_hexahedra(const Grid_map& map, const std::int32_t cell, Corner_finder& corners,
+                     std::vector<Hexahedron>& result) const
   {
     const Cell_sides sides = map.sides(cell);
     corners.enter(cell, sides);
@@ -174,6 +176,9 @@ private:
           corner[c] += corner_of_cube[k][c] - 0.5;
         result.back()[k] = corners.vertex(center.p, corner);
       }
+      if(m_is_mirrored[std::size_t(cell)] != 0)
+        std::swap_ranges(result.back().begin(), result.back().begin() + 4,
+                         result.back().begin() + 4);
     });
   }
 
@@ -213,19 +218,24 @@ private:
     }
   }
 
-  // The map may mirror: then corners are listed so that hexahedra are positive in space.
-  void turn_hexahedra()
+  // There, corners are listed in the other order, so that hexahedra are positive in space.
+  void find_mirrored_cells()
   {
-    double volume = 0;
-    for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c) {
+    const std::size_t size = m_volume.number_of_cells();
+    Signed_union_find components(size);
+    for(std::size_t f = 0; f < m_volume.opposite.size(); ++f)
+      if(m_volume.opposite[f] > Corner_index(f))
+        components.unite(f / 4, std::size_t(m_volume.opposite[f] / 4));
+    std::vector<double> volume(size, 0); // in space, per root
+    for(std::size_t c = 0; c < size; ++c) {
       Uvw_tetrahedron x;
       for(std::size_t i = 0; i < 4; ++i)
         x[i] = m_points[std::size_t(m_volume.vertices[4 * c + i])];
-      volume += six_times_volume(x);
+      volume[components.root(c)] += six_times_volume(x);
     }
-    if(volume < 0)
-      for(Hexahedron& h : m_soup.hexahedra)
-        std::swap_ranges(h.begin(), h.begin() + 4, h.begin() + 4);
+    m_is_mirrored.resize(size);
+    for(std::size_t c = 0; c < size; ++c)
+      m_is_mirrored[c] = volume[components.root(c)] < 0;
   }
 
   std::string name_of_hexahedron(const std::int32_t i) const
@@ -288,7 +298,8 @@ private:
     return std::nullopt;
   }
 
-  Flat_volume& m_volume;
+  const Flat_volume& m_volume;
+  std::vector<char> m_is_mirrored; // per cell: the map mirrors its component
   const std::vector<Uvw>& m_points;
   const Extraction_options& m_options;
   Hexahedral_soup& m_soup;
@@ -296,7 +307,7 @@ private:
 };
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-std::optional<Refusal> extract(Flat_volume& volume, const std::vector<Uvw>& points,
+std::optional<Refusal> extract(const Flat_volume& volume, const std::vector<Uvw>& points,
                                const Extraction_options& options, Hexahedral_soup& soup,
                                Hexahedra_report& report)
 {

@@ -1,0 +1,252 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Hexahedral_meshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_HEXAHEDRAL_MESHING_HEXAHEDRAL_MESH_H
+#define CGAL_HEXAHEDRAL_MESHING_HEXAHEDRAL_MESH_H
+
+#include <CGAL/license/Hexahedral_meshing.h>
+
+// From an approximately seamless map of a tetrahedral mesh to hexahedra, in one call.
+
+#include <CGAL/Hexahedral_meshing/extract_hexahedra.h>
+#include <CGAL/Hexahedral_meshing/internal/hexahedra/boundary_patches.h>
+#include <CGAL/Hexahedral_meshing/internal/shape/Vertex_moves.h>
+#include <CGAL/Hexahedral_meshing/measure_hexahedra.h>
+#include <CGAL/Hexahedral_meshing/types/Hexahedral_mesh.h>
+#include <CGAL/Hexahedral_meshing/types/Hexahedral_meshing_report.h>
+#include <CGAL/Seamless_snapping/snap_volume_to_seamless.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hexahedral_meshing {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// A parameter in front of a chain: it counts, whether the chain has it or not.
+template <typename Value, typename Tag, typename NP>
+auto with(const NP& np, const Tag, const Value& value)
+{
+  return CGAL::Named_function_parameters<Value, Tag, NP>(value, np);
+}
+
+// The integers for a number of hexahedra: tries one scale after the other.
+template <typename ConcurrencyTag, typename PointRange, typename TetrahedronRange,
+          typename NamedParameters>
+class Integer_search
+{
+  using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+
+public:
+  Integer_search(const PointRange& points, const TetrahedronRange& tetrahedra,
+                 std::vector<Point_3> uvw, const NamedParameters& np, Hexahedral_mesh& mesh,
+                 Hexahedral_meshing_report& report)
+    : m_points(points), m_tetrahedra(tetrahedra), m_uvw(std::move(uvw)), m_np(np), m_mesh(mesh),
+      m_report(report), m_target(chosen(np, CGAL::internal_np::target_number_of_hexahedra,
+                                        std::size_t(0))),
+      m_most(chosen(np, CGAL::internal_np::maximum_number,
+                    m_target > 0 ? most_per_target * m_target
+                                 : default_maximum_number_of_hexahedra))
+  { }
+
+  void run()
+  {
+    const double volume = volume_in_domain();
+    double scale = 1;
+    if(m_target > 0 && volume > 0 && std::isfinite(volume))
+      scale = std::cbrt(double(m_target) / volume);
+    do {
+      m_report.grid_scale = scale;
+      ++m_report.number_of_attempts;
+      attempt(scale);
+      if(m_report || !may_be_too_coarse())
+        return;
+      if(m_report.reason_for_more.empty())
+        m_report.reason_for_more = to_string(m_report.status) + (": " + m_report.message);
+      scale *= std::cbrt(2.);
+    } while(m_target > 0 && scale * scale * scale * volume <= double(m_most));
+    if(m_target > 0)
+      m_report.message += "; with " + counted(m_report.number_of_attempts, "scale") +
+                          ", for up to " + std::to_string(m_most) +
+                          " hexahedra, none was without such faults; raise maximum_number";
+  }
+
+private:
+  static constexpr std::size_t most_per_target = 64; // six times twice as many
+
+  double volume_in_domain() const
+  {
+    double result = 0;
+    for(std::size_t i = 0; i + 3 < m_uvw.size(); i += 4) {
+      Uvw_tetrahedron u;
+      for(std::size_t k = 0; k < 4; ++k)
+        u[k] = {m_uvw[i + k].x(), m_uvw[i + k].y(), m_uvw[i + k].z()};
+      result += std::abs(six_times_volume(u)) / 6; // cells may be listed in either orientation
+    }
+    return result;
+  }
+
+  // Whether a finer grid may help.
+  bool may_be_too_coarse() const
+  {
+    return m_report.status == Outcome::NOT_INTEGER || m_report.status == Outcome::NOT_POSITIVE ||
+           m_report.status == Outcome::TOO_COARSE;
+  }
+
+  void attempt(const double scale)
+  {
+    namespace np = CGAL::internal_np;
+    std::vector<Point_3> uvw(m_uvw);
+    const auto uvw_map = CGAL::make_property_map(uvw);
+    const auto grid = with(with(with(m_np, np::integer_grid, true), np::grid_scale, scale),
+                           np::align_boundary, true);
+    Report& report = m_report;
+    if(m_target == 0)
+      report = snap_volume_to_seamless(m_tetrahedra, uvw_map, grid);
+    else
+      report = snap_volume_to_seamless(
+        m_tetrahedra, uvw_map,
+        with(with(grid, np::rounding_tolerance, any_distance), np::repair_flips,
+             Flip_repair::UNTANGLE));
+    if(report.status == Outcome::FLIPS_REMAIN)
+      report.status = Outcome::NOT_POSITIVE; // the message tells which, and why
+    if(!report)
+      return;
+    Hexahedral_mesh mesh;
+    static_cast<Hexahedra_report&>(m_report) = extract_hexahedra<ConcurrencyTag>(
+      m_points, m_tetrahedra, uvw_map, mesh.points, mesh.hexahedra,
+      with(m_np, np::maximum_number, (std::max)(m_most, m_target)));
+    if(m_report)
+      m_mesh = std::move(mesh);
+  }
+
+  static constexpr double any_distance = 1e9;
+
+  const PointRange& m_points;
+  const TetrahedronRange& m_tetrahedra;
+  const std::vector<Point_3> m_uvw;
+  const NamedParameters& m_np;
+  Hexahedral_mesh& m_mesh;
+  Hexahedral_meshing_report& m_report;
+  const std::size_t m_target, m_most;
+};
+
+} // namespace internal
+/// \endcond
+
+/*!
+\ingroup PkgHexahedralMeshingRef
+
+makes a mesh of hexahedra of a tetrahedral mesh with a seamless map: makes the map an integer-grid
+map by `snap_volume_to_seamless()`, extracts hexahedra by `extract_hexahedra()`, and moves vertices
+inside so that hexahedra which are not positive in space become so.
+
+On success, all that `extract_hexahedra()` guarantees holds. Whether all hexahedra are positive is
+in `Hexahedral_meshing_report::shapes`: vertices of the boundary do not move, so that some hexahedra
+may remain as they are. A hexahedron that is positive stays so.
+
+\tparam ConcurrencyTag as for `extract_hexahedra()`
+\tparam PointRange as for `extract_hexahedra()`
+\tparam TetrahedronRange as for `extract_hexahedra()`
+\tparam CornerUVWMap as for `extract_hexahedra()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param points the points of the vertices of the tetrahedra
+\param tetrahedra the cells: the indices of four points each
+\param uvw_map the coordinates of each corner, seamless up to `tolerance`; it is only read
+\param mesh receives the result; as it was if the function fails
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
+       below, and `feature_facets`, `feature_edges`, `cell_neighbors`, `tolerance`,
+       `number_of_untangling_iterations`, `visitor`, and `verbose` of `snap_volume_to_seamless()`
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{target_number_of_hexahedra}
+    \cgalParamDescription{about how many hexahedra there should be. The function scales the map to
+                          that volume first. If integers collapse cells there, it doubles the
+                          number, again and again.}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{0: the map is taken as it is, and has to be near an integer-grid map}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_number}
+    \cgalParamDescription{the number of hexahedra above which the function gives up}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{64 times `target_number_of_hexahedra`; without that, 100 million}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the largest number of rounds in which vertices move; 0 leaves all vertices
+                          where the map has them}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{20}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the outcome, the figures, and the shapes; converts to `true` if and only if the mesh was
+        written. The status of a failure is that of the step which failed.
+
+\par Complexity
+That of the steps, for each scale that is tried; moves take time in the number of hexahedra near the
+ones that are not positive, and linear time to find these, in each round.
+
+\sa `extract_hexahedra()`
+\sa `snap_volume_to_seamless()`
+*/
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename PointRange,
+          typename TetrahedronRange, typename CornerUVWMap,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Hexahedral_meshing_report
+hexahedral_mesh(const PointRange& points, const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map,
+                Hexahedral_mesh& mesh,
+                const NamedParameters& np = CGAL::parameters::default_values())
+{
+  const internal::Protect_exact_arithmetic protect;
+  const auto& plain = internal::strip(np);
+  using Plain = std::decay_t<decltype(plain)>;
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> uvw;
+  for(std::size_t i = 0; i < 4 * static_cast<std::size_t>(tetrahedra.size()); ++i) {
+    const internal::Uvw u = internal::get_uvw(uvw_map, i);
+    uvw.emplace_back(u[0], u[1], u[2]);
+  }
+  Hexahedral_mesh result;
+  Hexahedral_meshing_report report;
+  internal::Integer_search<ConcurrencyTag, PointRange, TetrahedronRange, Plain>(
+    points, tetrahedra, std::move(uvw), plain, result, report).run();
+  if(!report)
+    return report;
+  internal::find_boundary_patches(result);
+  report.shapes_before = measure_hexahedra(result.points, result.hexahedra);
+  report.shapes = report.shapes_before;
+  const std::size_t rounds =
+    internal::chosen(plain, CGAL::internal_np::number_of_iterations, std::size_t(20));
+  if(!report.shapes.nonpositive_hexahedra.empty() && rounds > 0) {
+    internal::Vertex_moves(result).run(rounds);
+    report.shapes = measure_hexahedra(result.points, result.hexahedra);
+  }
+  mesh = std::move(result);
+  return report;
+}
+
+} // namespace Hexahedral_meshing
+} // namespace CGAL
+
+#endif // CGAL_HEXAHEDRAL_MESHING_HEXAHEDRAL_MESH_H

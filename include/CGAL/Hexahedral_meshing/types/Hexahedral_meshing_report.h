@@ -1,0 +1,49 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Hexahedral_meshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_HEXAHEDRAL_MESHING_TYPES_HEXAHEDRAL_MESHING_REPORT_H
+#define CGAL_HEXAHEDRAL_MESHING_TYPES_HEXAHEDRAL_MESHING_REPORT_H
+
+#include <CGAL/license/Hexahedral_meshing.h>
+
+// What `hexahedral_mesh()` returns.
+
+#include <CGAL/Hexahedral_meshing/types/Hexahedra_report.h>
+#include <CGAL/Hexahedral_meshing/types/Hexahedron_shapes.h>
+
+#include <cstddef>
+#include <string>
+
+namespace CGAL {
+namespace Hexahedral_meshing {
+
+/*!
+\ingroup PkgHexahedralMeshingRef
+
+What `hexahedral_mesh()` returns: the report of the extraction, how the integers were found, and the
+shapes. Converts to `bool`: `true` if and only if the mesh was written.
+*/
+struct Hexahedral_meshing_report
+  : public Hexahedra_report
+{
+  double grid_scale = 1; ///< what the coordinates were multiplied by
+  std::size_t number_of_attempts = 0; ///< scales that were tried
+  /// why the first scale did not serve; empty if it did
+  std::string reason_for_more;
+  Hexahedron_shapes shapes_before; ///< of the hexahedra as the map has them
+  Hexahedron_shapes shapes;        ///< of the result
+};
+
+} // namespace Hexahedral_meshing
+} // namespace CGAL
+
+#endif // CGAL_HEXAHEDRAL_MESHING_TYPES_HEXAHEDRAL_MESHING_REPORT_H

@@ -1,0 +1,327 @@
+// Meshes of hexahedra in one call: the number of hexahedra, shapes and moves of vertices, patches
+// of the boundary, and files.
+
+#include "checking.h"
+#include "floating_point_traps.h"
+#include "hexahedra_reference.h"
+#include "integer_maps.h"
+#include "volume_checks.h"
+
+#include <CGAL/Hexahedral_meshing/IO/hexahedra.h>
+#include <CGAL/Hexahedral_meshing/hexahedral_mesh.h>
+#include <CGAL/Hexahedral_meshing/measure_hexahedra.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Meshing = CGAL::Hexahedral_meshing;
+using hexahedra_reference::Hexahedra;
+using integer_maps::Integer_map;
+using Meshing::Hexahedral_mesh;
+using Meshing::Hexahedral_meshing_report;
+
+template <typename NamedParameters = CGAL::parameters::Default_named_parameters>
+Hexahedral_meshing_report make_mesh(const Integer_map& map, Hexahedral_mesh& mesh,
+                                    const NamedParameters& np =
+                                      CGAL::parameters::default_values())
+{
+  const Floating_point_traps traps;
+  Tet_map copy = map.map;
+  return Meshing::hexahedral_mesh(map.points, map.map.cells, Double_map{&copy}, mesh, np);
+}
+
+// Cubes of size `size`, with the points of the lattice in space.
+Integer_map cubes(const std::vector<volume_generator::Lattice_point>& low, const double size)
+{
+  const auto complex = volume_generator::lattice_cubes("cubes", low);
+  Integer_map map = integer_maps::Builder(complex, Charts::BLOCKS, size, 5).build();
+  for(std::size_t i = 0; i < map.in_block.size(); ++i)
+    map.points[std::size_t(map.map.cells[i / 4][i % 4])] = map.in_block[i];
+  return map;
+}
+
+double determinant(const Hexahedral_mesh& mesh, const std::array<int, 8>& h, const int k)
+{
+  // in each coordinate, where the neighbor of each corner is
+  constexpr int neighbors[8][3] = {{1, 3, 4}, {0, 2, 5}, {3, 1, 6}, {2, 0, 7},
+                                   {5, 7, 0}, {4, 6, 1}, {7, 5, 2}, {6, 4, 3}};
+  constexpr int signs[8] = {1, -1, 1, -1, -1, 1, -1, 1};
+  std::array<Point, 3> e;
+  for(std::size_t i = 0; i < 3; ++i)
+    for(std::size_t c = 0; c < 3; ++c)
+      e[i][c] = mesh.points[std::size_t(h[std::size_t(neighbors[k][i])])][c] -
+                mesh.points[std::size_t(h[std::size_t(k)])][c];
+  return signs[k] * (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+                     e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+                     e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]));
+}
+
+std::vector<std::size_t> nonpositive(const Hexahedral_mesh& mesh)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t i = 0; i < mesh.hexahedra.size(); ++i) {
+    bool is_positive = true;
+    for(int k = 0; k < 8; ++k)
+      is_positive = is_positive && determinant(mesh, mesh.hexahedra[i], k) > 0;
+    if(!is_positive)
+      result.push_back(i);
+  }
+  return result;
+}
+
+void test_shapes()
+{
+  std::vector<Point> points;
+  for(int k = 0; k < 8; ++k)
+    points.push_back({{double(k % 4 == 1 || k % 4 == 2), double(k % 4 > 1), double(k > 3)}});
+  const std::vector<std::array<int, 8> > one{{{0, 1, 2, 3, 4, 5, 6, 7}}};
+  auto shapes = Meshing::measure_hexahedra(points, one);
+  CHECK(shapes.number_of_hexahedra == 1 && shapes.nonpositive_hexahedra.empty());
+  CHECK(std::abs(shapes.least_scaled_jacobian - 1) < 1e-15 && shapes.number_by_tenths[9] == 1);
+  for(int k = 4; k < 8; ++k)
+    points[std::size_t(k)][0] += 1; // edges at 45 degrees
+  shapes = Meshing::measure_hexahedra(points, one);
+  CHECK(std::abs(shapes.least_scaled_jacobian - std::sqrt(0.5)) < 1e-15);
+  CHECK(shapes.number_by_tenths[7] == 1);
+  points[6] = {{1, 1, 0}}; // on a corner: edges of length zero
+  shapes = Meshing::measure_hexahedra(points, one);
+  CHECK(shapes.nonpositive_hexahedra == std::vector<std::size_t>{0});
+  CHECK(shapes.least_scaled_jacobian <= 0 && shapes.number_by_tenths[0] == 1);
+  CHECK_EQUAL(Meshing::measure_hexahedra(points, std::vector<std::array<int, 8> >())
+                .mean_scaled_jacobian, 1.);
+}
+
+// Inner vertices of the tetrahedra far away from where they should be: hexahedra turn over.
+void test_moves()
+{
+  std::vector<volume_generator::Lattice_point> low;
+  for(int i = 0; i < 8; ++i)
+    low.push_back({{i % 2 * 2, i / 2 % 2 * 2, i / 4 * 2}});
+  Integer_map map = cubes(low, 2);
+  for(Point& p : map.points)
+    if(p == Point{{2, 2, 2}})
+      p = {{3.6, 3.5, 3.7}};
+  Hexahedral_mesh plain, moved;
+  const auto before = make_mesh(map, plain, Meshing::parameters::number_of_iterations(0));
+  const auto after = make_mesh(map, moved);
+  CHECK(bool(before) && bool(after));
+  CHECK(before.shapes.nonpositive_hexahedra == nonpositive(plain) && !nonpositive(plain).empty());
+  CHECK(after.shapes_before.nonpositive_hexahedra == nonpositive(plain));
+  CHECK_EQUAL(after.shapes.nonpositive_hexahedra.size(), std::size_t(0));
+  CHECK(nonpositive(moved).empty());
+  CHECK(plain.hexahedra == moved.hexahedra);
+  std::set<int> on_boundary;
+  for(const auto& q : moved.quadrilaterals)
+    on_boundary.insert(q.begin(), q.end());
+  for(const int v : on_boundary)
+    CHECK(plain.points[std::size_t(v)] == moved.points[std::size_t(v)]);
+  std::cout << nonpositive(plain).size() << " hexahedra made positive" << std::endl;
+}
+
+// Of an L of three cubes: its eight faces, and their edges.
+void test_patches()
+{
+  const Integer_map map = cubes({{{0, 0, 0}}, {{2, 0, 0}}, {{0, 2, 0}}}, 2);
+  Hexahedral_mesh mesh;
+  CHECK(bool(make_mesh(map, mesh)));
+  CHECK_EQUAL(mesh.hexahedra.size(), std::size_t(24));
+  CHECK_EQUAL(mesh.quadrilaterals.size(), std::size_t(4 * 14));
+  CHECK_EQUAL(mesh.edges.size(), std::size_t(2 * (2 * 8 + 6)));
+  std::map<int, std::set<std::pair<int, double> > > planes; // of patches
+  double volume = 0;
+  for(std::size_t i = 0; i < mesh.quadrilaterals.size(); ++i) {
+    std::array<Point, 4> p;
+    for(std::size_t k = 0; k < 4; ++k)
+      p[k] = mesh.points[std::size_t(mesh.quadrilaterals[i][k])];
+    for(std::size_t c = 0; c < 3; ++c)
+      if(p[0][c] == p[1][c] && p[0][c] == p[2][c] && p[0][c] == p[3][c]) {
+        planes[mesh.patches[i]].emplace(int(c), p[0][c]);
+        const std::size_t d = (c + 1) % 3, e = (c + 2) % 3;
+        volume += p[0][c] * ((p[1][d] - p[0][d]) * (p[2][e] - p[0][e]) -
+                             (p[1][e] - p[0][e]) * (p[2][d] - p[0][d]));
+      }
+  }
+  CHECK_EQUAL(planes.size(), std::size_t(8));
+  CHECK(planes.begin()->first == 1 && planes.rbegin()->first == 8);
+  for(const auto& [patch, all] : planes)
+    CHECK_EQUAL(all.size(), std::size_t(1));
+  CHECK_EQUAL(volume, 3 * 24.); // quadrilaterals look outside
+}
+
+// Reads words until `keyword`, then a number.
+std::size_t number_after(std::istream& is, const std::string& keyword)
+{
+  std::string word;
+  while(is >> word && word != keyword) { }
+  std::size_t number = 0;
+  CHECK(bool(is >> number));
+  return number;
+}
+
+void check_points(std::istream& is, const Hexahedral_mesh& mesh, const bool has_reference)
+{
+  for(const Point& p : mesh.points) {
+    Point q;
+    int reference = 0;
+    is >> q[0] >> q[1] >> q[2];
+    if(has_reference)
+      is >> reference;
+    CHECK(p == q && reference == 0);
+  }
+}
+
+template <typename Elements, typename Reference>
+void check_elements(std::istream& is, const Elements& elements, const Reference& reference)
+{
+  for(std::size_t i = 0; i < elements.size(); ++i) {
+    for(const auto v : elements[i]) {
+      std::int64_t w = 0;
+      is >> w;
+      CHECK_EQUAL(w, std::int64_t(v) + 1);
+    }
+    int r = 0;
+    is >> r;
+    CHECK_EQUAL(r, reference(i));
+  }
+}
+
+void test_files()
+{
+  Integer_map map = cubes({{{0, 0, 0}}, {{2, 0, 0}}, {{0, 2, 0}}}, 2);
+  for(Point& p : map.points)
+    for(double& x : p)
+      x /= 3;
+  Hexahedral_mesh mesh;
+  CHECK(bool(make_mesh(map, mesh)));
+  const auto one = [](std::size_t) { return 1; };
+  std::stringstream medit, vtk, ovm;
+  CHECK(bool(Meshing::IO::write_MEDIT(medit, mesh)));
+  CHECK_EQUAL(number_after(medit, "Vertices"), mesh.points.size());
+  check_points(medit, mesh, true);
+  CHECK_EQUAL(number_after(medit, "Edges"), mesh.edges.size());
+  check_elements(medit, mesh.edges, one);
+  CHECK_EQUAL(number_after(medit, "Quadrilaterals"), mesh.quadrilaterals.size());
+  check_elements(medit, mesh.quadrilaterals, [&](const std::size_t i) { return mesh.patches[i]; });
+  CHECK_EQUAL(number_after(medit, "Hexahedra"), mesh.hexahedra.size());
+  check_elements(medit, mesh.hexahedra, one);
+  std::string word;
+  CHECK(bool(medit >> word) && word == "End");
+
+  CHECK(bool(Meshing::IO::write_VTK(vtk, mesh)));
+  CHECK_EQUAL(number_after(vtk, "POINTS"), mesh.points.size());
+  vtk >> word;
+  check_points(vtk, mesh, false);
+  CHECK_EQUAL(number_after(vtk, "CELLS"), mesh.hexahedra.size());
+  std::size_t size = 0;
+  vtk >> size;
+  CHECK_EQUAL(size, 9 * mesh.hexahedra.size());
+  for(const auto& h : mesh.hexahedra) {
+    int v = 0;
+    vtk >> v;
+    CHECK_EQUAL(v, 8);
+    for(const int w : h) {
+      vtk >> v;
+      CHECK_EQUAL(v, w);
+    }
+  }
+  CHECK_EQUAL(number_after(vtk, "CELL_TYPES"), mesh.hexahedra.size());
+
+  // each halfface belongs to one hexahedron or none, and those of one close it
+  CHECK(bool(Meshing::IO::write_OVM(ovm, mesh)));
+  CHECK_EQUAL(number_after(ovm, "Vertices"), mesh.points.size());
+  check_points(ovm, mesh, false);
+  std::vector<std::array<int, 2> > edges(number_after(ovm, "Edges"));
+  for(auto& e : edges)
+    ovm >> e[0] >> e[1];
+  std::vector<std::array<int, 5> > faces(number_after(ovm, "Faces"));
+  for(auto& f : faces)
+    for(int& x : f)
+      ovm >> x;
+  CHECK_EQUAL(number_after(ovm, "Polyhedra"), mesh.hexahedra.size());
+  std::set<int> used;
+  for(const auto& h : mesh.hexahedra) {
+    int n = 0;
+    ovm >> n;
+    CHECK_EQUAL(n, 6);
+    std::set<std::pair<int, int> > sides;
+    std::set<int> vertices;
+    for(int i = 0; i < 6; ++i) {
+      int halfface = 0;
+      ovm >> halfface;
+      CHECK(used.insert(halfface).second);
+      const auto& f = faces.at(std::size_t(halfface / 2));
+      CHECK_EQUAL(f[0], 4);
+      for(std::size_t k = 1; k < 5; ++k) {
+        const auto& e = edges.at(std::size_t(f[k] / 2));
+        int a = e[std::size_t(f[k] % 2)], b = e[std::size_t(1 - f[k] % 2)];
+        if(halfface % 2 == 1)
+          std::swap(a, b);
+        CHECK(sides.emplace(a, b).second);
+        vertices.insert(a);
+      }
+    }
+    for(const auto& [a, b] : sides)
+      CHECK(sides.count({b, a}) == 1);
+    CHECK(vertices == std::set<int>(h.begin(), h.end()));
+  }
+  CHECK(bool(ovm));
+  mesh.points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  std::ostringstream nothing;
+  CHECK(!Meshing::IO::write_MEDIT(nothing, mesh) && nothing.str().empty());
+}
+
+// A map that is seamless up to noise, thin in one direction: few hexahedra don't fit.
+void test_numbers()
+{
+  Integer_map map = cubes({{{0, 0, 0}}, {{2, 0, 0}}, {{4, 0, 0}}}, 1);
+  for(Point& u : map.in_block)
+    u[2] *= 0.1;
+  map.map.corners = map.in_block;
+  for(Point& u : map.map.corners)
+    for(double& x : u)
+      x *= 1.2345;
+  Hexahedral_mesh mesh;
+  const auto few = Meshing::parameters::target_number_of_hexahedra(3);
+  const auto report = make_mesh(map, mesh, few.maximum_number(100000));
+  CHECK_IN(report.message, bool(report));
+  CHECK(report.number_of_attempts > 1 && !report.reason_for_more.empty());
+  CHECK_EQUAL(report.number_of_hexahedra, mesh.hexahedra.size());
+  CHECK(mesh.hexahedra.size() >= 3 && mesh.hexahedra.size() < 1000);
+  std::cout << mesh.hexahedra.size() << " hexahedra with " << report.number_of_attempts
+            << " attempts" << std::endl;
+  const Hexahedral_mesh before = mesh;
+  const auto refused = make_mesh(map, mesh, few.maximum_number(5));
+  CHECK(!refused && refused.message.find("maximum_number") != std::string::npos);
+  CHECK(before.points == mesh.points && before.hexahedra == mesh.hexahedra);
+
+  // as it is: near integers, and far from them
+  Hexahedral_mesh plain;
+  CHECK(bool(make_mesh(cubes({{{0, 0, 0}}}, 3), plain)) && plain.hexahedra.size() == 27);
+  CHECK_EQUAL(make_mesh(map, plain).status, Outcome::NOT_INTEGER);
+  CHECK_EQUAL(plain.hexahedra.size(), std::size_t(27));
+  Hexahedral_mesh many;
+  CHECK(bool(make_mesh(cubes({{{0, 0, 0}}}, 3), many,
+                       Meshing::parameters::target_number_of_hexahedra(1000))));
+  CHECK_EQUAL(many.hexahedra.size(), std::size_t(1000));
+}
+
+int main()
+{
+  test_shapes();
+  test_moves();
+  test_patches();
+  test_files();
+  test_numbers();
+  return report_checks();
+}
