@@ -128,6 +128,11 @@ void test_complexes()
     number += check_complex(complex, seed % 2 == 0 ? Charts::BLOCKS : Charts::TETRAHEDRA, 1.5,
                             seed);
   }
+  for(const Cube_complex& complex : // a hexahedron is of eight cubes, its center a vertex
+      {volume_generator::quadrants(3, 2), volume_generator::quadrants(5, 2),
+       volume_generator::tetrahedron_of_blocks(2)})
+    for(const Charts charts : {Charts::BLOCKS, Charts::TETRAHEDRA})
+      number += check_complex(complex, charts, 0.5, ++seed);
   std::cout << number << " hexahedra of complexes" << std::endl;
 }
 

@@ -237,7 +237,7 @@ void test_files()
   }
   CHECK_EQUAL(number_after(vtk, "CELL_TYPES"), mesh.hexahedra.size());
 
-  // each halfface belongs to one hexahedron or none, and those of one close it
+  // each halfface belongs to one hexahedron or none; those of one close it, and look outside
   CHECK(bool(Meshing::IO::write_OVM(ovm, mesh)));
   CHECK_EQUAL(number_after(ovm, "Vertices"), mesh.points.size());
   check_points(ovm, mesh, false);
@@ -256,6 +256,7 @@ void test_files()
     CHECK_EQUAL(n, 6);
     std::set<std::pair<int, int> > sides;
     std::set<int> vertices;
+    double volume = 0; // six times
     for(int i = 0; i < 6; ++i) {
       int halfface = 0;
       ovm >> halfface;
@@ -269,11 +270,19 @@ void test_files()
           std::swap(a, b);
         CHECK(sides.emplace(a, b).second);
         vertices.insert(a);
+        Point middle{}, p = mesh.points[std::size_t(a)], q = mesh.points[std::size_t(b)];
+        for(std::size_t c = 0; c < 3; ++c)
+          for(std::size_t j = 1; j < 5; ++j)
+            middle[c] += mesh.points[std::size_t(edges[std::size_t(f[j] / 2)][0])][c] / 8 +
+                         mesh.points[std::size_t(edges[std::size_t(f[j] / 2)][1])][c] / 8;
+        for(std::size_t c = 0; c < 3; ++c)
+          volume += middle[c] * (p[(c + 1) % 3] * q[(c + 2) % 3] - p[(c + 2) % 3] * q[(c + 1) % 3]);
       }
     }
     for(const auto& [a, b] : sides)
       CHECK(sides.count({b, a}) == 1);
     CHECK(vertices == std::set<int>(h.begin(), h.end()));
+    CHECK(std::abs(volume - 6. / 27) < 1e-12);
   }
   CHECK(bool(ovm));
   mesh.points[3][1] = std::numeric_limits<double>::quiet_NaN();

@@ -50,8 +50,8 @@ Hexahedron_points points_of(const PointRange& points, const Hexahedron_indices& 
 /*!
 \ingroup PkgHexahedralMeshingRef
 
-measures the shapes of hexahedra: of those that `extract_hexahedra()` made, or of any others. Which
-corners are positive is decided exactly.
+measures the shapes of hexahedra, whether this package made them or not. Which corners are
+positive is decided exactly.
 
 \tparam PointRange a random access range of three-dimensional points, whose coordinates `p[0]`,
         `p[1]`, and `p[2]` convert to `double`

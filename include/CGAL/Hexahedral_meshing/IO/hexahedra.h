@@ -26,8 +26,6 @@ namespace CGAL {
 namespace Hexahedral_meshing {
 namespace IO {
 
-using Seamless_snapping::IO::File_status;
-
 /*!
 \ingroup PkgHexahedralMeshingIO
 
@@ -62,7 +60,7 @@ File_status write_MEDIT(Target&& output, const Hexahedral_mesh& mesh)
 
 \brief writes the hexahedra to a stream or a file in the legacy format of VTK (`.vtk`), as text.
 
-Parameters, result, precondition, and complexity are those of `write_MEDIT()`.
+Parameters, result, precondition, and complexity are as for `write_MEDIT()`.
 */
 template <typename Target>
 File_status write_VTK(Target&& output, const Hexahedral_mesh& mesh)
@@ -78,7 +76,7 @@ File_status write_VTK(Target&& output, const Hexahedral_mesh& mesh)
 \brief writes the hexahedra to a stream or a file in the format of OpenVolumeMesh (`.ovm`), as text:
 with all edges and faces.
 
-Parameters, result, and precondition are those of `write_MEDIT()`.
+Parameters, result, and precondition are as for `write_MEDIT()`.
 
 \par Complexity
 That of sorting the edges and faces.

@@ -20,9 +20,20 @@
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 namespace CGAL {
+
+namespace Seamless_snapping {
+namespace IO { } // if no file is read
+} // namespace Seamless_snapping
+
 namespace Hexahedral_meshing {
 
 using namespace Seamless_snapping;
+
+namespace IO {
+
+using namespace Seamless_snapping::IO;
+
+} // namespace IO
 
 namespace internal {
 

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Hexahedral_meshing.h>
 
-// What `extract_hexahedra()` returns.
+// The report of `extract_hexahedra()`.
 
 #include <CGAL/Hexahedral_meshing/internal/packages_below.h>
 #include <CGAL/Linear_snapping/types/Report.h>

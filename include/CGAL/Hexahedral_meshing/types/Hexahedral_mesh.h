@@ -29,7 +29,7 @@ namespace Hexahedral_meshing {
 /*!
 \ingroup PkgHexahedralMeshingRef
 
-A mesh of hexahedra with its boundary: what `hexahedral_mesh()` makes, and what is written to files.
+A mesh of hexahedra with its boundary, as `hexahedral_mesh()` makes it and files hold it.
 Indices are numbers of points.
 */
 struct Hexahedral_mesh
@@ -42,7 +42,7 @@ struct Hexahedral_mesh
   std::vector<std::array<std::int32_t, 4> > quadrilaterals;
   /// for each quadrilateral: the number of its patch, from 1. Patches meet in sharp edges.
   std::vector<std::int32_t> patches;
-  /// sharp edges: those of the boundary with other than two hexahedra
+  /// sharp edges: the edges of the boundary with other than two hexahedra
   std::vector<std::array<std::int32_t, 2> > edges;
 };
 

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Hexahedral_meshing.h>
 
-// What `hexahedral_mesh()` returns.
+// The report of `hexahedral_mesh()`.
 
 #include <CGAL/Hexahedral_meshing/types/Hexahedra_report.h>
 #include <CGAL/Hexahedral_meshing/types/Hexahedron_shapes.h>
@@ -29,13 +29,13 @@ namespace Hexahedral_meshing {
 /*!
 \ingroup PkgHexahedralMeshingRef
 
-What `hexahedral_mesh()` returns: the report of the extraction, how the integers were found, and the
+The report of `hexahedral_mesh()`: that of the extraction, how the integers were found, and the
 shapes. Converts to `bool`: `true` if and only if the mesh was written.
 */
 struct Hexahedral_meshing_report
   : public Hexahedra_report
 {
-  double grid_scale = 1; ///< what the coordinates were multiplied by
+  double grid_scale = 1; ///< the factor of the coordinates
   std::size_t number_of_attempts = 0; ///< scales that were tried
   /// why the first scale did not serve; empty if it did
   std::string reason_for_more;

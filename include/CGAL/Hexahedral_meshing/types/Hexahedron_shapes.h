@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Hexahedral_meshing.h>
 
-// What `measure_hexahedra()` returns.
+// The result of `measure_hexahedra()`.
 
 #include <CGAL/Hexahedral_meshing/internal/packages_below.h>
 
@@ -29,7 +29,7 @@ namespace Hexahedral_meshing {
 /*!
 \ingroup PkgHexahedralMeshingRef
 
-What `measure_hexahedra()` returns. The scaled Jacobian of a hexahedron is the least determinant of
+The result of `measure_hexahedra()`. The scaled Jacobian of a hexahedron is the least determinant of
 three unit vectors: along its edges at each of its eight corners, and along its three axes. It is 1
 for cubes and boxes.
 */
