@@ -8,11 +8,11 @@ and types of numbers are converted. Nothing of the caller's is changed. What can
 from . import _core, examples
 from ._errors import Error
 from ._fields import read_field
-from ._layouts import extract_quads
+from ._layouts import Curve, Layout, extract_quads, layout, trace
 from ._surfaces import measure, parametrize, quad_remesh, sharp_edges, snap
 from ._volumes import measure_volume, snap_linear, snap_volume
 
 __version__ = _core.__version__
-__all__ = ["Error", "examples", "extract_quads", "measure",
+__all__ = ["Curve", "Error", "Layout", "examples", "extract_quads", "layout", "measure",
            "measure_volume", "parametrize", "quad_remesh", "read_field", "sharp_edges", "snap",
-           "snap_linear", "snap_volume"]
+           "snap_linear", "snap_volume", "trace"]

@@ -21,6 +21,30 @@ class Error(ValueError):
     report: Optional[Report]
     def __init__(self, message: str, status: str = ..., report: Optional[Report] = ...) -> None: ...
 
+class Layout:
+    nodes: Floats
+    node_kinds: List[str]
+    node_vertices: Integers
+    node_faces: Integers
+    node_weights: Floats
+    arcs: Integers
+    arc_lengths: Floats
+    arc_is_constrained: NDArray[np.bool_]
+    arc_patches: Integers
+    arc_paths: List[Floats]
+    patch_corners: Integers
+    patch_sizes: Floats
+    patch_is_cut: NDArray[np.bool_]
+    patch_half_arcs: List[Integers]
+    message: str
+
+class Curve:
+    faces: Integers
+    weights: Floats
+    direction: int
+    end: str
+    def points(self, V: ArrayLike, F: ArrayLike) -> Floats: ...
+
 def sharp_edges(V: Any, F: Optional[ArrayLike] = ..., angle: float = ..., *,
                 minimum_length: float = ..., weld: Optional[bool] = ...) -> Integers: ...
 def read_field(path: Union[str, "os.PathLike[str]"]) -> Floats: ...
@@ -79,6 +103,10 @@ def extract_quads(V: ArrayLike, F: ArrayLike, uv: ArrayLike, quads: Optional[int
                   repair_flips: bool = ..., allow_holes: bool = ..., weld: bool = ...,
                   progress: Progress = ...,
                   report: Literal[True]) -> Tuple[Floats, Integers, Report]: ...
+def layout(V: ArrayLike, F: ArrayLike, uv: ArrayLike, *, features: Optional[ArrayLike] = ...,
+           base_complex: bool = ...) -> Layout: ...
+def trace(F: ArrayLike, uv: ArrayLike, start: Any = ..., *, maximum_length: Optional[float] = ...,
+          progress: Progress = ...) -> List[Curve]: ...
 @overload
 def snap_volume(T: ArrayLike, uvw: ArrayLike, *, feature_facets: Optional[ArrayLike] = ...,
                 feature_edges: Optional[ArrayLike] = ..., align_boundary: bool = ...,

@@ -18,7 +18,7 @@ _WORDS = (
     (r"and at most maximum_number; see target_number_of_quads and target_edge_length",
      "and at most 'maximum'; see 'quads' and 'edge_length'"),
     (r"or call extract_quad_soup\(\)", "or have the mesh remeshed by quad_remesh()"),
-    (r"let curves end where they meet others", "leave out base_complex=True"),
+    (r"(?:raise maximum_number, or )?let curves end where they meet others", "leave out base_complex=True"),
     (r"(align_border|align_boundary|integer_grid|needs_face_graph)\((true|false)\)",
      lambda m: f"{m.group(1)}={m.group(2).capitalize()}"),
     (r"; quantize\(\) makes one", ""),

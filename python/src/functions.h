@@ -9,6 +9,7 @@ void add_snapping(pybind11::module_& module);
 void add_parametrization(pybind11::module_& module);
 void add_remeshing(pybind11::module_& module);
 void add_extraction(pybind11::module_& module);
+void add_layouts(pybind11::module_& module);
 void add_volumes(pybind11::module_& module);
 void add_linear(pybind11::module_& module);
 

@@ -29,6 +29,7 @@ PYBIND11_MODULE(_core, module)
   add_parametrization(module);
   add_remeshing(module);
   add_extraction(module);
+  add_layouts(module);
   add_volumes(module);
   add_linear(module);
 }

@@ -140,7 +140,7 @@ def a_call(rng):
 
     number = lambda: a_number(rng)
     name = rng.choice(["quad_remesh", "sharp_edges", "parametrize", "snap", "measure",
-                       "extract_quads", "snap_volume", "measure_volume",
+                       "extract_quads", "layout", "trace", "snap_volume", "measure_volume",
                        "snap_linear"])
     edges = lambda: an_array(rng, [[0, 1], [1, 3]])
     if name in ("snap_volume", "measure_volume"):
