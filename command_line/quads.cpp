@@ -197,12 +197,11 @@ void check_report(const Quad_options& options, const Model& model, const Result&
 }
 
 // `input` is the mesh and its map, or a quantization and the mesh.
-template <typename... Input>
-void extract(const Quad_options& options, const Model& model, Result& result, const Input&... input)
+template <typename NamedParameters, typename... Input>
+void extract(const Quad_options& options, Result& result, const NamedParameters& np,
+             const Input&... input)
 {
   const Progress progress("extracting quads", options.seams.reading.verbose);
-  const auto np =
-    QR::parameters::edge_is_constrained_map(model.is_feature).allow_holes(options.allow_holes);
   using Tag = CGAL::Parallel_if_available_tag;
   if(options.soup) {
     result.report =
@@ -215,12 +214,19 @@ void extract(const Quad_options& options, const Model& model, Result& result, co
   result.mesh.collect_garbage();
 }
 
+void extract_map(const Quad_options& options, const Model& model, Result& result)
+{
+  extract(options, result,
+          QR::parameters::edge_is_constrained_map(model.is_feature)
+            .allow_holes(options.allow_holes), model.mesh, model.uv_map);
+}
+
 void extract_rounded(const Quad_options& options, Model& model, const double rounding,
                      Result& result)
 {
   result.snapped = result.repaired = snap_to_integers(options, rounding, model);
   check_snapped(result.snapped, model, options.seams.tolerance);
-  extract(options, model, result, model.mesh, model.uv_map);
+  extract_map(options, model, result);
 }
 
 // Whether the border is meant to lie on isocurves: most of it does.
@@ -276,7 +282,7 @@ void extract_quantized(const Quad_options& options, const Model& model,
   result.integers = "of a quantization";
   if(!quantization.message.empty())
     result.integers += "; " + message_of(quantization, model);
-  extract(options, model, result, quantization, model.mesh);
+  extract(options, result, QR::parameters::default_values(), quantization, model.mesh);
   const std::size_t number = result.report.number_of_inverted_quads;
   const bool has_steps = quantization.number_of_unaligned_border_edges > 0;
   if(!result.report || options.soup || (number == 0 && !has_steps))
@@ -314,7 +320,7 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
   near_by.snapped = near_by.repaired = snap_to_integers(options, options.rounding, model);
   if(near_by.snapped && near_by.snapped.lost_faces.empty() &&
      near_by.snapped.remaining_flips.empty())
-    extract(options, model, near_by, model.mesh, model.uv_map);
+    extract_map(options, model, near_by);
   near_by.integers = "those nearest in the map";
   const double number = static_cast<double>(near_by.report.number_of_faces);
   const bool is_near = near_by.report && std::abs(number / options.number - 1) <= tolerance;

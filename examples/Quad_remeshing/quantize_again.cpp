@@ -44,7 +44,8 @@ int main(int argc, char* argv[])
   const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
   if(!SS::IO::read_OBJ(input, mesh, uv_map, QR::parameters::edge_is_constrained_map(is_feature)))
     return EXIT_FAILURE;
-  const auto parameters = QR::parameters::edge_is_constrained_map(is_feature).align_border(true);
+  const auto features = QR::parameters::edge_is_constrained_map(is_feature);
+  const auto parameters = features.align_border(true);
   seconds();
   const auto made = QR::approximate_seamless_parametrization(mesh, uv_map, parameters);
   std::cout << made << "\nparametrization: " << seconds() << " s\n";
@@ -55,10 +56,10 @@ int main(int argc, char* argv[])
 
   QR::Quantization quantization;
   for(const std::size_t number : numbers) {
-    quantization = quantization ? QR::quantize_again(quantization, mesh,
-                                                     parameters.target_number_of_quads(number))
-                                : QR::quantize(mesh, uv_map,
-                                               parameters.target_number_of_quads(number));
+    quantization =
+      quantization ? QR::quantize_again(quantization, mesh,
+                                        QR::parameters::target_number_of_quads(number))
+                   : QR::quantize(mesh, uv_map, features.target_number_of_quads(number));
     std::cout << "quantization to " << number << ": " << seconds() << " s, "
               << quantization.number_of_quads << " quads\n";
     std::vector<Kernel::Point_3> points;

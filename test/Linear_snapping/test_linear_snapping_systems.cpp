@@ -559,6 +559,21 @@ void test_coefficient_type(const std::string& name)
   CHECK(2. * y[0] + 3. * y[1] == 1); // in double, which holds the products
 }
 
+// Expressions of matrices, and arrays of C.
+void test_forms_of_arguments()
+{
+  Eigen::SparseMatrix<int> transposed(2, 1);
+  transposed.insert(0, 0) = 1;
+  transposed.insert(1, 0) = -3;
+  double x[] = { 0.3, 0.1 };
+  const double b[] = { 0.5 }, weights[] = { 1, 1 };
+  const auto np = LS::parameters::value_weights(std::vector<double>(weights, weights + 2));
+  CHECK(bool(LS::snap_to_linear_constraints(transposed.transpose(), b, x, np)));
+  CHECK(Rational(x[0]) - 3 * Rational(x[1]) == Rational(b[0]));
+  CHECK(bool(LS::snap_to_linear_constraints(transposed.transpose() * 2, x)));
+  CHECK(Rational(x[0]) == 3 * Rational(x[1]));
+}
+
 void test_figures()
 {
   LS::Linear_report report =
@@ -871,6 +886,7 @@ int main(int argc, char** argv)
   test_coefficient_type<float>("float");
   test_coefficient_type<double>("double");
   test_coefficient_type<Rational>("rational");
+  test_forms_of_arguments();
   test_figures();
   test_refusals();
   test_adding_constraints();

@@ -1558,12 +1558,13 @@ void test_remeshing()
     const std::string name = file.filename().string();
     Parametrized_model model(file.string());
     const auto features = parameters::edge_is_constrained_map(model.is_aligned);
-    const auto np = features.target_number_of_quads(2000).needs_face_graph(true);
+    const auto np = features.target_number_of_quads(2000);
     Mesh quads, others;
     check_remeshing(model, QR::quad_remesh(model.mesh, quads, np), quads, 2000, name);
     CHECK_IN(name, bool(QR::snap_to_seamless(model.mesh, model.uv,
                                              features.repair_flips(true))));
-    const auto quantization = QR::quantize(model.mesh, model.uv, np);
+    const auto quantization =
+      QR::quantize(model.mesh, model.uv, np.needs_face_graph(true));
     CHECK_IN(name + ": " + quantization.message, bool(quantization));
     check_remeshing(model, QR::quad_remesh(quantization, model.mesh, others), others, 2000,
                     name + ", of a quantization");

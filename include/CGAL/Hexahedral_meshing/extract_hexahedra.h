@@ -230,7 +230,12 @@ Hexahedra_report extract_hexahedra(const PointRange& points, const TetrahedronRa
   if(const auto refusal = internal::inexact_arithmetic())
     return internal::refused<Hexahedra_report>(*refusal);
   using CGAL::parameters::get_parameter;
-  const auto& plain = internal::strip(np);
+  constexpr auto read =
+    internal::named<CGAL::internal_np::cell_neighbors, CGAL::internal_np::feature_edges,
+                    CGAL::internal_np::feature_facets, CGAL::internal_np::maximum_number,
+                    CGAL::internal_np::verbose, CGAL::internal_np::vertex_location,
+                    CGAL::internal_np::visitor>;
+  const auto& plain = internal::strip(np, read);
   const auto location_map = get_parameter(plain, CGAL::internal_np::vertex_location);
   constexpr bool keeps_locations = internal::is_given<decltype(location_map)>;
   Hexahedra_report report;

@@ -168,6 +168,13 @@ class Isocurve_segment;
 
 namespace internal {
 
+// The parameters of `trace_isocurve()`; the tracer has read the symmetry before.
+constexpr auto tracing_parameters =
+  named<CGAL::internal_np::decide_exactly, CGAL::internal_np::maximum_length,
+        CGAL::internal_np::maximum_number, CGAL::internal_np::near_distance,
+        CGAL::internal_np::rotational_symmetry, CGAL::internal_np::target_vertex,
+        CGAL::internal_np::vertex_is_constrained>;
+
 // The number of directions of isocurves, for the rotational symmetry of the named parameters.
 template <typename NamedParameters>
 constexpr int number_of_directions =
@@ -226,7 +233,7 @@ public:
   {
     const internal::Require_exact_arithmetic protect;
     if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
-      const auto& plain_np = internal::strip(np);
+      const auto& plain_np = internal::strip(np, internal::surface_parameters);
       static_assert(internal::number_of_directions<NamedParameters> == D,
                     "isocurves have six directions where rotational_symmetry is 3 or 6, else "
                     "four: use Isocurve_tracer<TriangleMesh, 6>, or leave the template arguments "
@@ -310,7 +317,7 @@ public:
   Curve trace(const Start& start, const Isocurve_direction direction,
               const NamedParameters& np = CGAL::parameters::default_values()) const
   {
-    return trace(start, direction, options(internal::strip(np)));
+    return trace(start, direction, options(internal::strip(np, internal::tracing_parameters)));
   }
 
   /*!
@@ -329,7 +336,7 @@ public:
   std::vector<Curve> separatrices(
     const NamedParameters& np = CGAL::parameters::default_values()) const
   {
-    const Options all = options(internal::strip(np));
+    const Options all = options(internal::strip(np, internal::tracing_parameters));
     if(!can_trace(all))
       return std::vector<Curve>(1, refused(Start(), Isocurve_direction::PLUS_U));
     std::vector<Curve> curves;

@@ -531,7 +531,11 @@ motorcycle_graph(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
     const auto numbering = std::make_shared<internal::Flat_numbering<TriangleMesh> >(tmesh);
     const auto data = std::make_shared<internal::Layout_data>();
-    internal::read_and_make_layout(tmesh, *numbering, uv_map, internal::strip(np), *data);
+    constexpr auto read =
+      internal::surface_parameters +
+      internal::named<CGAL::internal_np::curve_stop_policy, CGAL::internal_np::maximum_number,
+                      CGAL::internal_np::vertex_is_constrained>;
+    internal::read_and_make_layout(tmesh, *numbering, uv_map, internal::strip(np, read), *data);
     return Motorcycle_graph<TriangleMesh>(tmesh, numbering, data);
   }
 }

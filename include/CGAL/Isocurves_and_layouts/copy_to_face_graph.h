@@ -45,6 +45,13 @@ namespace Isocurves_and_layouts {
 
 namespace internal {
 
+constexpr auto parameters_of_points = named<CGAL::internal_np::vertex_point>;
+
+// The parameters of the mesh of patches.
+constexpr auto parameters_of_patches =
+  named<CGAL::internal_np::edge_is_constrained, CGAL::internal_np::face_patch,
+        CGAL::internal_np::vertex_location, CGAL::internal_np::vertex_point>;
+
 // The point in space at a location; rounded.
 template <typename Point, typename TriangleMesh, typename VertexPointMap, typename Location>
 Point point_in_face(const TriangleMesh& tmesh, const VertexPointMap& points,
@@ -193,7 +200,9 @@ bool copy_to_face_graph(const Motorcycle_graph<TriangleMesh>& graph, PolygonMesh
   const internal::Polygon_complex cells = internal::cells_of_patches(graph);
   if(!graph || !internal::are_patches_discs(graph.data().layout) || !internal::is_simple(cells))
     return false;
-  internal::write_layout(graph.mesh(), cells, patches, internal::strip(np1), internal::strip(np2),
+  internal::write_layout(graph.mesh(), cells, patches,
+                         internal::strip(np1, internal::parameters_of_points),
+                         internal::strip(np2, internal::parameters_of_patches),
                          [&](const std::size_t n) { return graph.node_location(n); },
                          [&](const std::size_t a) { return graph.arc_is_constrained(a); },
                          [](const std::size_t p) { return p; });
@@ -235,8 +244,9 @@ bool refine_along_arcs(const Motorcycle_graph<TriangleMesh>& graph, PolygonMesh&
   const internal::Refined_faces faces(data.domain.mesh, data.race->curves(), data.layout);
   if(!faces.is_covered() || !faces.joined_patches().empty())
     return false;
-  internal::write_layout(graph.mesh(), faces.cells(), refined, internal::strip(np1),
-                         internal::strip(np2),
+  internal::write_layout(graph.mesh(), faces.cells(), refined,
+                         internal::strip(np1, internal::parameters_of_points),
+                         internal::strip(np2, internal::parameters_of_patches),
                          [&](const std::size_t v) { return graph.location(faces.point(v)); },
                          [&](const std::size_t e) { return faces.is_on_arc(e); },
                          [&](const std::size_t c) { return faces.patch_of_cell(c); });

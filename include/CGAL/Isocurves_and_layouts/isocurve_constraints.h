@@ -313,7 +313,8 @@ intercepted_connections(const Isocurve_tracer<TriangleMesh, D>& tracer,
 {
   const internal::Require_exact_arithmetic protect;
   const auto vertex_indices =
-    CGAL::get_initialized_vertex_index_map(tracer.mesh(), internal::strip(np));
+    CGAL::get_initialized_vertex_index_map(
+      tracer.mesh(), internal::strip(np, internal::named<CGAL::internal_np::vertex_index>));
   const double point = 1e-12 * tracer.chart_mesh().extent;
   std::vector<Intercepted_connection> result;
   std::size_t index = 0;

@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -42,11 +43,14 @@ namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
 
+constexpr auto linear_parameters =
+  named<CGAL::internal_np::value_weights, CGAL::internal_np::verbose, CGAL::internal_np::visitor>;
+
 // Copies `values` to `x`. Returns the index of the first that is not finite, or their number.
 template <typename Values>
 std::size_t read_values(const Values& values, std::vector<double>& x)
 {
-  const std::size_t size = std::size_t(values.size());
+  const std::size_t size = std::size_t(std::size(values));
   x.resize(size);
   std::size_t first = size;
   for(std::size_t j = size; j-- > 0;) {
@@ -151,14 +155,12 @@ size: if 64-bit integers do not suffice, the function uses multiprecision intege
 The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}, with sparse elimination, unit
 pivots first, and a least-squares target.
 
-\tparam Constraints a `Linear_constraints` or an `Eigen::SparseMatrix` whose scalar is an integer
-        type, `float`, `double` (each of which is a rational number), `CGAL::Exact_integer`, or
-        `CGAL::Exact_rational`
-\tparam RightHandSide a random access range of numbers that convert exactly to
-        `CGAL::Exact_rational`: integers, `float`, `double`, `CGAL::Exact_integer`,
-        `CGAL::Exact_rational`
-\tparam Values a random access range of `float` or `double`, for example `std::vector<double>` or
-        `Eigen::VectorXd`
+\tparam Constraints a `Linear_constraints`, an `Eigen::SparseMatrix`, or an expression of such
+        matrices, whose scalar is an integer type, `float`, `double` (each of which is a rational
+        number), `CGAL::Exact_integer`, or `CGAL::Exact_rational`; convert other numbers first
+\tparam RightHandSide a random access range or an array of the same types of numbers
+\tparam Values a random access range or an array of `float` or `double`, for example
+        `std::vector<double>` or `Eigen::VectorXd`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param c the matrix \f$ C \f$, with one row per constraint and one column per unknown
@@ -244,7 +246,7 @@ Linear_report snap_to_linear_constraints(const Constraints& c, const RightHandSi
                                            CGAL::parameters::default_values())
 {
   return internal::snap_to_linear_constraints(internal::as_constraints(c), b, x,
-                                              internal::strip(np));
+                                              internal::strip(np, internal::linear_parameters));
 }
 
 /*!
@@ -265,7 +267,7 @@ Linear_report snap_to_linear_constraints(const Constraints& c, Values& x,
 {
   return internal::snap_to_linear_constraints(internal::as_constraints(c),
                                               internal::No_right_hand_side(), x,
-                                              internal::strip(np));
+                                              internal::strip(np, internal::linear_parameters));
 }
 
 } // namespace Linear_snapping

@@ -123,6 +123,19 @@ struct Parametrization_report
 namespace internal {
 namespace parametrization {
 
+constexpr auto read_parameters =
+  named<CGAL::internal_np::align_border, CGAL::internal_np::cone_index,
+        CGAL::internal_np::curvature_adaptivity, CGAL::internal_np::curvature_alignment,
+        CGAL::internal_np::edge_is_constrained, CGAL::internal_np::edge_is_cut,
+        CGAL::internal_np::face_direction, CGAL::internal_np::halfedge_rotation,
+        CGAL::internal_np::known_fields, CGAL::internal_np::largest_cone_index,
+        CGAL::internal_np::least_cone_distance, CGAL::internal_np::number_of_iterations,
+        CGAL::internal_np::random_seed, CGAL::internal_np::release_alignment,
+        CGAL::internal_np::sparse_linear_solver, CGAL::internal_np::target_edge_length,
+        CGAL::internal_np::untangling_iterations, CGAL::internal_np::verbose,
+        CGAL::internal_np::vertex_point, CGAL::internal_np::vertex_sizing,
+        CGAL::internal_np::visitor>;
+
 // The indices that the caller prescribes; border vertices have none.
 template <typename TriangleMesh, typename ConeIndexMap>
 std::vector<int> read_cones(const Flat_numbering<TriangleMesh>& numbering,
@@ -496,11 +509,12 @@ approximate_seamless_parametrization(const TriangleMesh& tmesh, HalfedgeUVMap uv
 {
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   const internal::Protect_exact_arithmetic protect;
-  const internal::Progress progress(internal::strip(np));
+  const auto& plain_np = internal::strip(np, internal::parametrization::read_parameters);
+  const internal::Progress progress(plain_np);
   Parametrization_report<Vertex> report;
   try {
     if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
-      internal::parametrization::run(tmesh, uv_map, internal::strip(np), report);
+      internal::parametrization::run(tmesh, uv_map, plain_np, report);
   } catch(const internal::Refusal& refusal) {
     internal::refuse(report, refusal);
   }

@@ -186,8 +186,8 @@ Extraction_report extract_quad_mesh(const TriangleMesh& tmesh, HalfedgeUVMap uv_
                                       CGAL::parameters::default_values())
 {
   return internal::extract_cells<ConcurrencyTag, internal::Quarter_turns>(
-    tmesh, uv_map, internal::strip(np1),
-    internal::cell_mesh_output(tmesh, quads, internal::strip(np2)));
+    tmesh, uv_map, internal::strip(np1, internal::extraction_parameters),
+    internal::cell_mesh_output(tmesh, quads, internal::strip(np2, internal::cell_mesh_parameters)));
 }
 
 /*!
@@ -225,7 +225,7 @@ Extraction_report extract_quad_soup(const TriangleMesh& tmesh, HalfedgeUVMap uv_
                                     const NamedParameters& np = CGAL::parameters::default_values())
 {
   return internal::extract_cells<ConcurrencyTag, internal::Quarter_turns>(
-    tmesh, uv_map, internal::strip(np),
+    tmesh, uv_map, internal::strip(np, internal::extraction_parameters),
     internal::Cell_soup_output<PointRange, PolygonRange>(points, polygons));
 }
 
@@ -233,15 +233,16 @@ namespace internal {
 
 // Adds symmetry 6 to the parameters, unless they have one.
 template <typename NamedParameters>
-auto with_six_directions(const NamedParameters& np)
+auto with_six_directions(const NamedParameters& all)
 {
+  const auto& np = strip(all, extraction_parameters + named<internal_np::rotational_symmetry>);
   const auto symmetry =
     CGAL::parameters::get_parameter(np, CGAL::internal_np::rotational_symmetry);
   if constexpr(is_given<decltype(symmetry)>)
     return np;
   else
-    return strip(
-      Named_parameters<NamedParameters>(np).rotational_symmetry(Rotational_symmetry<6>()));
+    return strip(Named_parameters<std::decay_t<decltype(np)> >(np)
+                   .rotational_symmetry(Rotational_symmetry<6>()));
 }
 
 } // namespace internal
@@ -308,8 +309,9 @@ Extraction_report extract_triangle_mesh(const TriangleMesh& tmesh, HalfedgeUVMap
                                           CGAL::parameters::default_values())
 {
   return internal::extract_cells<ConcurrencyTag, internal::Sixth_turns>(
-    tmesh, uv_map, internal::with_six_directions(internal::strip(np1)),
-    internal::cell_mesh_output(tmesh, triangles, internal::strip(np2)));
+    tmesh, uv_map, internal::with_six_directions(np1),
+    internal::cell_mesh_output(tmesh, triangles,
+                               internal::strip(np2, internal::cell_mesh_parameters)));
 }
 
 /*!
@@ -347,7 +349,7 @@ Extraction_report extract_triangle_soup(const TriangleMesh& tmesh, HalfedgeUVMap
                                           CGAL::parameters::default_values())
 {
   return internal::extract_cells<ConcurrencyTag, internal::Sixth_turns>(
-    tmesh, uv_map, internal::with_six_directions(internal::strip(np)),
+    tmesh, uv_map, internal::with_six_directions(np),
     internal::Cell_soup_output<PointRange, PolygonRange>(points, polygons));
 }
 

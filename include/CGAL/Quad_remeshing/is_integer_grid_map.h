@@ -213,7 +213,8 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
 {
   const internal::Require_exact_arithmetic protect;
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
-    return internal::measure_integer_grid(tmesh, uv_map, internal::strip(np));
+    return internal::measure_integer_grid(tmesh, uv_map,
+                                          internal::strip(np, internal::surface_parameters));
 }
 
 /*!

@@ -67,7 +67,8 @@ template <typename QuadMesh, typename NamedParameters = CGAL::parameters::Defaul
 Quad_shapes measure_quad_shapes(const QuadMesh& mesh,
                                 const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto points = internal::chosen(internal::strip(np), CGAL::internal_np::vertex_point,
+  constexpr auto read = internal::named<CGAL::internal_np::vertex_point>;
+  const auto points = internal::chosen(internal::strip(np, read), CGAL::internal_np::vertex_point,
                                        CGAL::get_const_property_map(CGAL::vertex_point, mesh));
   internal::Shape_counter counter;
   std::size_t number = 0;

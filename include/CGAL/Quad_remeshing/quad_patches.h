@@ -139,7 +139,10 @@ Quad_patches<QuadMesh> quad_patches(const QuadMesh& mesh,
 {
   using CGAL::parameters::get_parameter;
   using Edge = typename boost::graph_traits<QuadMesh>::edge_descriptor;
-  const auto& plain_np = internal::strip(np);
+  constexpr auto read =
+    internal::named<CGAL::internal_np::curve_stop_policy, CGAL::internal_np::edge_is_constrained,
+                    CGAL::internal_np::face_patch, CGAL::internal_np::vertex_index>;
+  const auto& plain_np = internal::strip(np, read);
   const auto features = internal::chosen(plain_np, CGAL::internal_np::edge_is_constrained,
                                          CGAL::Constant_property_map<Edge, bool>(false));
   const auto patches = get_parameter(plain_np, CGAL::internal_np::face_patch);

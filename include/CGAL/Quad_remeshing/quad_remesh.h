@@ -47,6 +47,22 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
+constexpr auto remeshing_parameters =
+  named<CGAL::internal_np::area_threshold, CGAL::internal_np::border_tolerance,
+        CGAL::internal_np::curvature_adaptivity, CGAL::internal_np::curvature_alignment,
+        CGAL::internal_np::edge_is_constrained, CGAL::internal_np::face_direction,
+        CGAL::internal_np::maximum_feature_loss, CGAL::internal_np::maximum_number,
+        CGAL::internal_np::minimize_number_of_quads, CGAL::internal_np::number_of_relaxation_steps,
+        CGAL::internal_np::symmetry_plane, CGAL::internal_np::target_edge_length,
+        CGAL::internal_np::target_number_of_quads, CGAL::internal_np::verbose,
+        CGAL::internal_np::vertex_point, CGAL::internal_np::vertex_sizing,
+        CGAL::internal_np::visitor>;
+
+// The parameters of the quads that are written.
+constexpr auto quad_mesh_parameters =
+  named<CGAL::internal_np::edge_is_constrained, CGAL::internal_np::face_location,
+        CGAL::internal_np::vertex_location, CGAL::internal_np::vertex_point>;
+
 template <typename TriangleMesh, typename NamedParameters>
 Remeshing_options remeshing_options(const TriangleMesh& tmesh, const NamedParameters& np,
                                     const bool has_single_precision)
@@ -418,12 +434,12 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
                              const NamedParameters2& np2 = CGAL::parameters::default_values())
 {
   using namespace internal;
-  const auto& parameters = strip(np1);
+  const auto& parameters = strip(np1, remeshing_parameters);
   const auto make_quads = [&](auto& result, const auto& is_feature, const auto& options) {
     return remesh(surface_reader(tmesh, parameters), mirror_of(parameters), options, result,
                   is_feature);
   };
-  return write_quads(tmesh, quads, parameters, strip(np2), true, make_quads);
+  return write_quads(tmesh, quads, parameters, strip(np2, quad_mesh_parameters), true, make_quads);
 }
 
 /*!
@@ -467,10 +483,16 @@ Remeshing_report quad_remesh(const Quantization& quantization, const TriangleMes
                              const NamedParameters2& np2 = CGAL::parameters::default_values())
 {
   using namespace internal;
-  const auto& parameters = strip(np1);
+  constexpr auto read =
+    named<CGAL::internal_np::number_of_relaxation_steps, CGAL::internal_np::verbose,
+          CGAL::internal_np::vertex_point, CGAL::internal_np::visitor>;
+  const auto& parameters = strip(np1, read);
   const auto make_quads = [&](auto& result, const auto& is_feature, const auto& options) {
     const Extraction_report extracted =
-      extract_quad_mesh(quantization, tmesh, result, parameters,
+      extract_quad_mesh(quantization, tmesh, result,
+                        CGAL::parameters::vertex_point_map(
+                          chosen(parameters, CGAL::internal_np::vertex_point,
+                                 CGAL::get_const_property_map(CGAL::vertex_point, tmesh))),
                         CGAL::parameters::edge_is_constrained_map(is_feature));
     if(!extracted)
       return refused<Remeshing_report>(extracted.status, extracted.message);
@@ -478,7 +500,7 @@ Remeshing_report quad_remesh(const Quantization& quantization, const TriangleMes
       tmesh, parameters.edge_is_constrained_map(walls(quantization, tmesh)), std::nullopt);
     return smooth(surface, quantization, options, result, is_feature);
   };
-  return write_quads(tmesh, quads, parameters, strip(np2), false, make_quads);
+  return write_quads(tmesh, quads, parameters, strip(np2, quad_mesh_parameters), false, make_quads);
 }
 
 /*!
@@ -519,7 +541,9 @@ auto find_symmetry_plane(const TriangleMesh& tmesh,
                          const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
-  const auto point_map = internal::chosen(internal::strip(np), CGAL::internal_np::vertex_point,
+  constexpr auto read = internal::named<CGAL::internal_np::vertex_point>;
+  const auto point_map = internal::chosen(internal::strip(np, read),
+                                          CGAL::internal_np::vertex_point,
                                           CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)> >::value_type;
   using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;

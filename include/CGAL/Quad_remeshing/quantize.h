@@ -50,6 +50,17 @@
 namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
+
+constexpr auto parameters_of_quantization =
+  named<CGAL::internal_np::maximum_feature_loss, CGAL::internal_np::maximum_number,
+        CGAL::internal_np::minimize_number_of_quads, CGAL::internal_np::needs_face_graph,
+        CGAL::internal_np::target_edge_length, CGAL::internal_np::target_number_of_quads,
+        CGAL::internal_np::verbose, CGAL::internal_np::vertex_point,
+        CGAL::internal_np::vertex_sizing, CGAL::internal_np::visitor>;
+
+// The parameters of the extraction from a quantization.
+constexpr auto quantized_parameters =
+  named<CGAL::internal_np::maximum_number, CGAL::internal_np::vertex_point>;
 template <typename TriangleMesh, typename NamedParameters>
 double area_in_squares(const TriangleMesh& tmesh, const double length, const NamedParameters& np)
 {
@@ -359,7 +370,9 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 Quantization quantize(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                       const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto& parameters = internal::strip(np);
+  constexpr auto read = internal::parameters_of_quantization +
+                        internal::named<CGAL::internal_np::edge_is_constrained>;
+  const auto& parameters = internal::strip(np, read);
   const internal::Progress progress(parameters);
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return internal::quantize_map(tmesh, uv_map, parameters,
@@ -399,7 +412,7 @@ Quantization quantize_again(const Quantization& quantization, const TriangleMesh
   if(!quantization)
     return internal::refused_without_quantization<Quantization>(quantization);
   const internal::Protect_exact_arithmetic protect;
-  const auto& parameters = internal::strip(np);
+  const auto& parameters = internal::strip(np, internal::parameters_of_quantization);
   const internal::Progress progress(parameters);
   return internal::quantize_again(quantization,
                                   internal::quantization_options(tmesh, parameters));
@@ -449,8 +462,8 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
   if(leave_out_folds)
     holes_before = internal::holes_of_two_edges(quads);
   const Extraction_report report = internal::extract_cells_of<ConcurrencyTag>(
-    quantization, tmesh, internal::strip(np1), leave_out_folds,
-    internal::cell_mesh_output(tmesh, quads, internal::strip(np2)));
+    quantization, tmesh, internal::strip(np1, internal::quantized_parameters), leave_out_folds,
+    internal::cell_mesh_output(tmesh, quads, internal::strip(np2, internal::cell_mesh_parameters)));
   if(report && leave_out_folds)
     internal::close_folds(quads, holes_before);
   return report;
@@ -484,7 +497,7 @@ Extraction_report extract_quad_soup(const Quantization& quantization, const Tria
                                     const NamedParameters& np = CGAL::parameters::default_values())
 {
   return internal::extract_cells_of<ConcurrencyTag>(
-    quantization, tmesh, internal::strip(np), false,
+    quantization, tmesh, internal::strip(np, internal::quantized_parameters), false,
     internal::Cell_soup_output<PointRange, PolygonRange>(points, polygons));
 }
 

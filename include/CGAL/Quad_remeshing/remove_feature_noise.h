@@ -230,7 +230,9 @@ std::size_t remove_feature_noise(const TriangleMesh& tmesh, EdgeIsConstrainedMap
                                  const double length,
                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const auto stripped = internal::strip(np);
+  constexpr auto read =
+    internal::named<CGAL::internal_np::vertex_index, CGAL::internal_np::vertex_point>;
+  const auto& stripped = internal::strip(np, read);
   const auto point_map =
     internal::chosen(stripped, CGAL::internal_np::vertex_point,
                      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));

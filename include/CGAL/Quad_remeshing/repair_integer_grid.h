@@ -154,7 +154,13 @@ Snapping_report repair_integer_grid(const TriangleMesh& tmesh, HalfedgeUVMap uv_
   if constexpr(!internal::check_uv_map<TriangleMesh, HalfedgeUVMap>()) {
     return Snapping_report();
   } else {
-    const auto& plain_np = internal::strip(np);
+    constexpr auto read =
+      internal::named<CGAL::internal_np::edge_is_constrained, CGAL::internal_np::grid_scale,
+                      CGAL::internal_np::repair_flips, CGAL::internal_np::rotational_symmetry,
+                      CGAL::internal_np::tolerance, CGAL::internal_np::untangling_iterations,
+                      CGAL::internal_np::verbose, CGAL::internal_np::vertex_index,
+                      CGAL::internal_np::visitor>;
+    const auto& plain_np = internal::strip(np, read);
     using Parameters = std::decay_t<decltype(plain_np)>;
     using Group = internal::Symmetry_group<Parameters>;
     const double scale = internal::chosen(plain_np, CGAL::internal_np::grid_scale, 1.);

@@ -221,7 +221,8 @@ of the branch. If all of them are contracted, the coordinates do not determine t
        `halfedge_rotation_map`, `rotational_symmetry`, `connection_constraints`,
        `cycle_constraints`, and `corner_constraints`. Without `edge_is_cut_map`, every edge may be a
        cut. With it, both sides of all other edges must have the same coordinates. Without
-       `halfedge_rotation_map`, any rotation is accepted.
+       `halfedge_rotation_map`, any rotation is accepted. The other parameters of
+       `snap_to_seamless()` have no effect here: you can pass the same sequence to both.
 
 \return `true` if and only if the parametrization is exactly seamless and satisfies the given
         constraints. The result is also `false` if a coordinate is NaN or infinite (with connections
@@ -241,7 +242,8 @@ bool is_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 {
   const internal::Require_exact_arithmetic protect;
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
-    return internal::is_seamless(tmesh, uv_map, internal::strip(np));
+    return internal::is_seamless(tmesh, uv_map,
+                                 internal::strip(np, internal::surface_parameters));
 }
 
 /*!
@@ -269,7 +271,8 @@ Seamlessness measure_seamlessness(const TriangleMesh& tmesh, HalfedgeUVMap uv_ma
 {
   const internal::Require_exact_arithmetic protect;
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
-    return internal::measure_seamlessness(tmesh, uv_map, internal::strip(np));
+    return internal::measure_seamlessness(tmesh, uv_map,
+                                          internal::strip(np, internal::surface_parameters));
 }
 
 } // namespace Seamless_snapping

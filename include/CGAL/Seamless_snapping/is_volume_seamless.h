@@ -132,7 +132,8 @@ bool is_volume_seamless(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map
   internal::Tetrahedra mesh;
   internal::Flat_volume volume;
   if(const auto refusal =
-       internal::read_volume(tetrahedra, uvw_map, internal::strip(np), mesh, volume)) {
+       internal::read_volume(tetrahedra, uvw_map,
+                             internal::strip(np, internal::volume_parameters), mesh, volume)) {
     if(refusal->status == Outcome::NOT_FINITE)
       return false;
     throw std::invalid_argument(refusal->message);
@@ -166,7 +167,7 @@ measure_volume_seamlessness(const TetrahedronRange& tetrahedra, CornerUVWMap uvw
   const internal::Require_exact_arithmetic protect;
   internal::Tetrahedra mesh;
   internal::Flat_volume volume;
-  internal::read_or_throw(tetrahedra, uvw_map, internal::strip(np),
+  internal::read_or_throw(tetrahedra, uvw_map, internal::strip(np, internal::volume_parameters),
                           internal::Cells_to_read::AT_CONSTRAINTS, mesh, volume);
   Volume_seamlessness result;
   internal::measure_constraints(volume, result);
@@ -216,8 +217,8 @@ measure_volume_integer_grid(const TetrahedronRange& tetrahedra, CornerUVWMap uvw
   const internal::Require_exact_arithmetic protect;
   internal::Tetrahedra mesh;
   internal::Flat_volume volume;
-  internal::read_or_throw(tetrahedra, uvw_map, internal::strip(np), internal::Cells_to_read::ALL,
-                          mesh, volume);
+  internal::read_or_throw(tetrahedra, uvw_map, internal::strip(np, internal::volume_parameters),
+                          internal::Cells_to_read::ALL, mesh, volume);
   return internal::measure_integer_grid(volume);
 }
 

@@ -231,7 +231,8 @@ seam_transitions(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
     internal::Transition_data<Halfedge> data;
     data.refusal = internal::inexact_arithmetic();
     if(!data.refusal)
-      data = internal::read_transitions<Group>(tmesh, uv_map, internal::strip(np));
+      data = internal::read_transitions<Group>(
+        tmesh, uv_map, internal::strip(np, internal::surface_parameters));
     return Seam_transitions<TriangleMesh, internal::order_of_symmetry<Parameters> >(
       tmesh, uv_map, std::move(data));
   }

@@ -33,6 +33,18 @@
 namespace CGAL {
 namespace Seamless_snapping {
 
+namespace internal {
+
+constexpr auto soup_parameters =
+  named<CGAL::internal_np::align_border, CGAL::internal_np::feature_edges,
+        CGAL::internal_np::grid_scale, CGAL::internal_np::integer_grid,
+        CGAL::internal_np::repair_flips, CGAL::internal_np::rotational_symmetry,
+        CGAL::internal_np::rounding_tolerance, CGAL::internal_np::tolerance,
+        CGAL::internal_np::untangling_iterations, CGAL::internal_np::verbose,
+        CGAL::internal_np::visitor>;
+
+} // namespace internal
+
 /*!
 \ingroup PkgSeamlessSnappingRef
 
@@ -88,15 +100,15 @@ Snapping_report snap_soup_to_seamless(const TriangleRange& triangles, CornerUVMa
                                         CGAL::parameters::default_values())
 {
   if constexpr(internal::check_map_of_corners<CornerUVMap, std::size_t>()) {
-    const auto& plain_np = internal::strip(np);
+    const auto& plain_np = internal::strip(np, internal::soup_parameters);
     const auto& feature_edges = CGAL::parameters::get_parameter_reference(
       plain_np, CGAL::internal_np::feature_edges);
     internal::Soup_surface surface;
     if(const auto refusal = surface.read(triangles, feature_edges))
       return internal::refused<Snapping_report>(*refusal);
-    return snap_to_seamless(surface.mesh(),
-                            internal::Soup_uv_map<CornerUVMap>{surface.corner(), uv_map},
-                            plain_np.edge_is_constrained_map(surface.is_feature()));
+    return internal::snap_with_plain_parameters(
+      surface.mesh(), internal::Soup_uv_map<CornerUVMap>{surface.corner(), uv_map},
+      plain_np.edge_is_constrained_map(surface.is_feature()));
   }
 }
 
@@ -126,7 +138,7 @@ bool is_soup_seamless(const TriangleRange& triangles, CornerUVMap uv_map,
 {
   const internal::Require_exact_arithmetic protect;
   if constexpr(internal::check_map_of_corners<CornerUVMap, std::size_t>()) {
-    const auto& plain_np = internal::strip(np);
+    const auto& plain_np = internal::strip(np, internal::soup_parameters);
     const auto& feature_edges = CGAL::parameters::get_parameter_reference(
       plain_np, CGAL::internal_np::feature_edges);
     internal::Soup_surface surface;

@@ -39,6 +39,24 @@
 namespace CGAL {
 namespace Seamless_snapping {
 
+namespace internal {
+
+// `snap_to_seamless()` with a plain chain, which may have more than it reads.
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Parameters>
+Snapping_report snap_with_plain_parameters(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
+                                           const Parameters& np)
+{
+  const Protect_exact_arithmetic protect;
+  if(const auto refusal = inexact_arithmetic())
+    return refused<Snapping_report>(*refusal);
+  check_parameters<Parameters>();
+  const Progress progress(np);
+  if constexpr(check_uv_map<TriangleMesh, HalfedgeUVMap>())
+    return snap_surface<Symmetry_group<Parameters> >(tmesh, uv_map, np);
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgSeamlessSnappingRef
 
@@ -264,15 +282,8 @@ template <typename TriangleMesh, typename HalfedgeUVMap,
 Snapping_report snap_to_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                                  const NamedParameters& np = CGAL::parameters::default_values())
 {
-  const internal::Protect_exact_arithmetic protect;
-  if(const auto refusal = internal::inexact_arithmetic())
-    return internal::refused<Snapping_report>(*refusal);
-  using Parameters = std::decay_t<decltype(internal::strip(np))>;
-  using Group = internal::Symmetry_group<Parameters>;
-  internal::check_parameters<Parameters>();
-  const internal::Progress progress(internal::strip(np));
-  if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
-    return internal::snap_surface<Group>(tmesh, uv_map, internal::strip(np));
+  return internal::snap_with_plain_parameters(
+    tmesh, uv_map, internal::strip(np, internal::surface_parameters));
 }
 
 namespace internal {

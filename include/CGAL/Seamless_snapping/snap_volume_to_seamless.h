@@ -235,7 +235,8 @@ snap_volume_to_seamless(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map
   const internal::Protect_exact_arithmetic protect;
   if(const auto refusal = internal::inexact_arithmetic())
     return internal::refused<Snapping_report>(*refusal);
-  return internal::snap_volume(tetrahedra, uvw_map, internal::strip(np));
+  return internal::snap_volume(tetrahedra, uvw_map,
+                               internal::strip(np, internal::volume_parameters));
 }
 
 /*!

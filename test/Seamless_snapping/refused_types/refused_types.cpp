@@ -1,6 +1,16 @@
 // Does not compile: passes meshes and maps of types that won't do to all public functions that take
 // a uv map, and named parameters without those that they are for. The compiler is to say why, once
 // for each type and parameter, and nothing else, which cmake/test_refused_types.cmake checks.
+//
+// error: pass the underlying mesh, with get(uv, target(hd(h), seam_mesh).hd)
+// error: the uv map must be a property map
+// error: the keys of the uv map must be halfedges of the mesh
+// error: the values of the uv map must be two-dimensional points of a kernel
+// error: the values of the uv map must be two-dimensional points of a kernel
+// error: the values of the uv map must be two-dimensional points of a kernel
+// error: rounding_tolerance is for integer_grid: give that, too
+// error: number_of_untangling_iterations is for repair_flips: give that, too
+// error: repair_flips takes a Flip_repair or a bool, not a number
 
 #include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>

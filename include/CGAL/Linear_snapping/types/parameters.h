@@ -30,6 +30,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <type_traits>
+#include <utility>
 
 // { outside of CGAL
 // The names that the package adds, one per line: tag type, tag, name of the function.
@@ -162,6 +163,102 @@ const CGAL::Named_function_parameters<T, Tag, Base>&
 strip(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
   return np;
+}
+
+// A set of named parameters by their tags, as `named<internal_np::verbose, internal_np::visitor>`.
+template <auto... Tag>
+struct Named
+{ };
+
+template <auto... Tag>
+constexpr Named<Tag...> named{};
+
+template <auto... A, auto... B>
+constexpr Named<A..., B...> operator+(Named<A...>, Named<B...>)
+{
+  return {};
+}
+
+constexpr auto map_parameters =
+  named<CGAL::internal_np::cone_index, CGAL::internal_np::edge_is_constrained,
+        CGAL::internal_np::edge_is_cut, CGAL::internal_np::face_direction,
+        CGAL::internal_np::face_location, CGAL::internal_np::face_patch,
+        CGAL::internal_np::halfedge_rotation, CGAL::internal_np::halfedge_uv,
+        CGAL::internal_np::vertex_index, CGAL::internal_np::vertex_is_constrained,
+        CGAL::internal_np::vertex_location, CGAL::internal_np::vertex_point,
+        CGAL::internal_np::vertex_sizing>;
+
+template <typename Tag, auto... Tags>
+constexpr bool is_among(Named<Tags...>)
+{
+  return (std::is_same_v<Tag, std::remove_const_t<decltype(Tags)> > || ...);
+}
+
+template <typename T, typename = void>
+constexpr bool is_range = false;
+
+template <typename T>
+constexpr bool is_range<T, std::void_t<decltype(std::declval<const T&>().begin())> > = true;
+
+// Property maps of a mesh are ranges, too.
+template <typename T, typename = void>
+constexpr bool is_container = is_range<T>;
+
+template <typename T>
+constexpr bool is_container<T, std::void_t<typename T::category> > = false;
+
+// Fails to compile if a container is passed in place of a property map.
+template <typename Parameter, typename Tag>
+struct Map_of_the_parameter
+{
+  static constexpr bool is_valid = !is_container<Parameter> || !is_among<Tag>(map_parameters);
+  static_assert(is_valid,
+                "this named parameter takes a property map, not a container: use a property map of "
+                "the mesh, or wrap a vector by boost::make_function_property_map");
+};
+
+// Fails to compile if a function does not read the parameter of a tag. The compiler names the tag.
+template <typename Tag, auto... Read>
+struct Parameter_of_the_function
+{
+  static_assert(is_among<Tag>(named<Read...>),
+                "the function does not read this named parameter, which is the first template "
+                "argument of Parameter_of_the_function: leave it out, or pass it to the function "
+                "that it is for");
+};
+
+// The end of a chain.
+template <typename Chain, auto... Read>
+struct Check_parameters
+{
+  static constexpr bool have_maps = true;
+};
+
+template <typename T, auto... Read>
+struct Check_parameters<CGAL::Named_function_parameters<T, CGAL::internal_np::all_default_t>,
+                        Read...>
+{
+  static constexpr bool have_maps = true;
+};
+
+template <typename T, typename Tag, typename Base, auto... Read>
+struct Check_parameters<CGAL::Named_function_parameters<T, Tag, Base>, Read...>
+  : Parameter_of_the_function<Tag, Read...>
+{
+  static constexpr bool have_maps =
+    Map_of_the_parameter<T, Tag>::is_valid && Check_parameters<Base, Read...>::have_maps;
+};
+
+// The plain chain, for a function that reads these parameters and no others. Without maps it would
+// compile with many more errors, so it is replaced by an empty chain then.
+template <typename NP, auto... Read>
+decltype(auto) strip(const NP& np, Named<Read...>)
+{
+  const auto& plain_np = strip(np);
+  if constexpr(Check_parameters<std::decay_t<decltype(plain_np)>, Read...>::have_maps)
+    return (plain_np);
+  else
+    return CGAL::parameters::Default_named_parameters(true);
 }
 
 // Whether a parameter is in a chain; or, of the type of what `get_parameter()` returned, whether it

@@ -106,7 +106,7 @@ public:
   File_status read(TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                    const NamedParameters& np = CGAL::parameters::default_values())
   {
-    const auto& plain_np = internal::strip(np);
+    const auto& plain_np = internal::strip(np, internal::file_parameters);
     m_is_welded = internal::chosen(plain_np, CGAL::internal_np::weld_borders, false);
     return internal::status_of_reading([&] {
       const internal::Vertex_changes changes =
@@ -140,7 +140,8 @@ public:
   File_status rewrite(std::string& result, const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
                       const NamedParameters& np = CGAL::parameters::default_values()) const
   {
-    const auto points = internal::chosen(internal::strip(np), CGAL::internal_np::vertex_point,
+    const auto points = internal::chosen(internal::strip(np, internal::file_parameters),
+                                         CGAL::internal_np::vertex_point,
                                          CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
     return internal::status_of_writing([&] {
       result = m_is_ply
@@ -190,7 +191,7 @@ public:
   bool holds(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
              const NamedParameters& np = CGAL::parameters::default_values()) const
   {
-    const auto& plain_np = internal::strip(np);
+    const auto& plain_np = internal::strip(np, internal::file_parameters);
     try {
       return m_is_ply ? is_same(internal::PLY_parser<double, UVNumber>(m_text).parse(), tmesh,
                                 uv_map, plain_np)

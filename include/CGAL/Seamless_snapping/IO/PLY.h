@@ -78,8 +78,8 @@ File_status write_PLY(Target&& output, const TriangleMesh& tmesh, HalfedgeUVMap 
 {
   if constexpr(internal::check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return internal::write_mesh(output, [&] {
-      return internal::text_of_surface<internal::PLY_text>(tmesh, uv_map, comments,
-                                                          internal::strip(np));
+      return internal::text_of_surface<internal::PLY_text>(
+        tmesh, uv_map, comments, internal::strip(np, internal::file_parameters));
     });
 }
 

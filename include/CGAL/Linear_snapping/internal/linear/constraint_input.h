@@ -45,24 +45,33 @@ Exact_rational to_exact_rational(const Number& a)
   if constexpr(is_built_in_integer<Number> && sizeof(Number) == 8) {
     return from_64_bits<Exact_rational>(a);
   } else {
-    static_assert(std::is_constructible<Exact_rational, Number>::value && sizeof(Number) != 0,
-                  "coefficients and right-hand sides must be integers of up to 64 bits, float, "
-                  "double, or convert to CGAL::Exact_rational");
-    return Exact_rational(a);
+    constexpr bool is_exact = std::is_arithmetic<Number>::value ||
+                              std::is_same<Number, Exact_integer>::value ||
+                              std::is_same<Number, Exact_rational>::value;
+    static_assert(is_exact, "convert coefficients and right-hand sides to CGAL::Exact_rational: "
+                            "they must be that, CGAL::Exact_integer, integers of up to 64 bits, "
+                            "float, or double");
+    if constexpr(is_exact)
+      return Exact_rational(a);
+    else
+      return Exact_rational(0);
   }
 }
 
-template <typename Coefficient>
-const Linear_constraints<Coefficient>& as_constraints(const Linear_constraints<Coefficient>& c)
-{
-  return c;
-}
+template <typename Constraints>
+struct Is_linear_constraints : std::false_type
+{ };
 
-template <typename Scalar, int Options, typename StorageIndex>
-Linear_constraints<Scalar>
-as_constraints(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c)
+template <typename Coefficient>
+struct Is_linear_constraints<Linear_constraints<Coefficient> > : std::true_type
+{ };
+
+// \tparam Matrix a sparse matrix, or an expression of some
+template <typename Matrix>
+auto constraints_of_matrix(const Matrix& c)
 {
-  using Rows = Eigen::SparseMatrix<Scalar, Eigen::RowMajor, StorageIndex>;
+  using Scalar = typename Matrix::Scalar;
+  using Rows = Eigen::SparseMatrix<Scalar, Eigen::RowMajor, typename Matrix::StorageIndex>;
   const Rows rows(c);
   Linear_constraints<Scalar> result(std::size_t(rows.cols()));
   std::vector<typename Linear_constraints<Scalar>::Term> row;
@@ -73,6 +82,22 @@ as_constraints(const Eigen::SparseMatrix<Scalar, Options, StorageIndex>& c)
     result.add_constraint(row);
   }
   return result;
+}
+
+template <typename Constraints>
+decltype(auto) as_constraints(const Constraints& c)
+{
+  constexpr bool is_sparse = std::is_base_of<Eigen::SparseMatrixBase<Constraints>,
+                                             Constraints>::value;
+  static_assert(is_sparse || Is_linear_constraints<Constraints>::value,
+                "the constraints must be Linear_constraints or a sparse matrix of Eigen: convert "
+                "a dense matrix by sparseView()");
+  if constexpr(Is_linear_constraints<Constraints>::value)
+    return (c);
+  else if constexpr(is_sparse)
+    return constraints_of_matrix(c);
+  else
+    return Linear_constraints<>(0);
 }
 
 // In place of those of the constraints.

@@ -45,6 +45,11 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
+// The parameters of a mesh of cells that is written.
+constexpr auto cell_mesh_parameters =
+  named<CGAL::internal_np::cone_index, CGAL::internal_np::edge_is_constrained,
+        CGAL::internal_np::vertex_location, CGAL::internal_np::vertex_point>;
+
 // Where the points of the grid lie in space, and the cells as they are written.
 
 using Places = boost::container::vector<Place>;

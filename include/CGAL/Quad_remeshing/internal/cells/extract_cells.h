@@ -48,6 +48,12 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
+// The parameters of the extraction of quads from a map.
+constexpr auto extraction_parameters =
+  named<CGAL::internal_np::allow_holes, CGAL::internal_np::edge_is_constrained,
+        CGAL::internal_np::grid_scale, CGAL::internal_np::maximum_number,
+        CGAL::internal_np::vertex_point>;
+
 // In the order of CGAL's locations: source and target of the face's halfedge, then the third.
 template <typename TriangleMesh>
 using Location_in_face =

@@ -51,6 +51,11 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+// The parameters of the functions that read and write meshes.
+constexpr auto file_parameters =
+  named<CGAL::internal_np::edge_is_constrained, CGAL::internal_np::vertex_index,
+        CGAL::internal_np::vertex_point, CGAL::internal_np::weld_borders>;
+
 // The type that a file's numbers are rounded to, once, on their way to a point map.
 template <typename PointMap>
 using File_number =
@@ -249,7 +254,7 @@ IO::File_status read_mesh(Source& source, TriangleMesh& tmesh, const HalfedgeUVM
 {
   if constexpr(check_uv_map<TriangleMesh, HalfedgeUVMap>())
     return status_of_reading([&] { return read_text<Parser>(text_of(source), tmesh, uv_map,
-                                                            strip(np)); });
+                                                            strip(np, file_parameters)); });
 }
 
 // Throws `File_refusal` if a coordinate is not finite, or the mesh is too large for the format.
@@ -303,8 +308,10 @@ IO::File_status rewrite_mesh(Source& source, Target& target, const TriangleMesh&
                              const HalfedgeUVMap& uv_map, const NamedParameters& np)
 {
   if constexpr(check_uv_map<TriangleMesh, HalfedgeUVMap>())
-    return write_mesh(target, [&] { return rewritten_text<Parser, Rewriter>(text_of(source), tmesh,
-                                                                            uv_map, strip(np)); });
+    return write_mesh(target, [&] {
+      return rewritten_text<Parser, Rewriter>(text_of(source), tmesh, uv_map,
+                                              strip(np, file_parameters));
+    });
 }
 
 } // namespace internal

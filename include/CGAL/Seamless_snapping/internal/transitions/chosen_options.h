@@ -38,6 +38,28 @@ namespace internal {
 template <typename NamedParameters>
 using Plain_parameters = std::decay_t<decltype(strip(std::declval<const NamedParameters&>()))>;
 
+// The parameters of `snap_to_seamless()`. Functions that verify and analyze accept the same chain,
+// so that it need not be written twice.
+constexpr auto surface_parameters =
+  named<CGAL::internal_np::align_border, CGAL::internal_np::connection_constraints,
+        CGAL::internal_np::connection_tolerance, CGAL::internal_np::corner_constraints,
+        CGAL::internal_np::cycle_constraints, CGAL::internal_np::edge_is_constrained,
+        CGAL::internal_np::edge_is_cut, CGAL::internal_np::grid_scale,
+        CGAL::internal_np::halfedge_rotation, CGAL::internal_np::integer_grid,
+        CGAL::internal_np::repair_flips, CGAL::internal_np::rotational_symmetry,
+        CGAL::internal_np::rounding_tolerance, CGAL::internal_np::tolerance,
+        CGAL::internal_np::untangling_iterations, CGAL::internal_np::verbose,
+        CGAL::internal_np::vertex_index, CGAL::internal_np::visitor>;
+
+// The parameters of `snap_volume_to_seamless()`, and of the functions that verify volumes.
+constexpr auto volume_parameters =
+  named<CGAL::internal_np::align_boundary, CGAL::internal_np::cell_neighbors,
+        CGAL::internal_np::feature_edges, CGAL::internal_np::feature_facets,
+        CGAL::internal_np::grid_scale, CGAL::internal_np::integer_grid,
+        CGAL::internal_np::repair_flips, CGAL::internal_np::rounding_tolerance,
+        CGAL::internal_np::tolerance, CGAL::internal_np::untangling_iterations,
+        CGAL::internal_np::verbose, CGAL::internal_np::visitor>;
+
 template <typename Parameter>
 struct Order_of_symmetry
 {
