@@ -156,7 +156,7 @@ private:
       result.emplace();
       result->integers = "those nearest in the map";
       result->largest_rounding = snapped.largest_rounding;
-      extract(*result, m_surface.mesh, m_surface.uv_map);
+      extract_map(*result);
     }
     m_surface.read_uv(m_uv.data());
     return result;
@@ -170,7 +170,7 @@ private:
     result->integers = "those nearest in the map";
     result->largest_rounding = snapped.largest_rounding;
     if(snapped)
-      extract(*result, m_surface.mesh, m_surface.uv_map);
+      extract_map(*result);
     m_surface.read_uv(m_uv.data());
     return result;
   }
@@ -200,13 +200,11 @@ private:
   }
 
   // `input` is the mesh and its map, or a quantization and the mesh.
-  template <typename... Input>
-  void extract(Result& result, const Input&... input) const
+  template <typename NamedParameters, typename... Input>
+  void extract(Result& result, const NamedParameters& np, const Input&... input) const
   {
     const QR::Extraction_report report = QR::extract_quad_mesh<CGAL::Parallel_if_available_tag>(
-      input..., result.quads.mesh,
-      QR::parameters::edge_is_constrained_map(m_surface.is_feature)
-        .allow_holes(m_wishes.allow_holes),
+      input..., result.quads.mesh, np,
       QR::parameters::edge_is_constrained_map(result.quads.is_feature));
     result.report = report;
     result.nonpositive_faces = report.nonpositive_faces;
@@ -216,13 +214,20 @@ private:
     result.quads.mesh.collect_garbage();
   }
 
+  void extract_map(Result& result) const
+  {
+    extract(result,
+            QR::parameters::edge_is_constrained_map(m_surface.is_feature)
+              .allow_holes(m_wishes.allow_holes), m_surface.mesh, m_surface.uv_map);
+  }
+
   // Smooths quads where some are inverted otherwise: where the map is much distorted, and where two
   // sides of a quad follow one edge of the border.
   std::optional<Result> extract_quantized(const QR::Quantization& quantization)
   {
     std::optional<Result> result(std::in_place);
     m_surface.read_uv(m_quantized_uv.data());
-    extract(*result, quantization, m_surface.mesh);
+    extract(*result, QR::parameters::default_values(), quantization, m_surface.mesh);
     const bool has_steps = quantization.number_of_unaligned_border_edges > 0;
     if(result->report && (result->number_of_inverted_quads > 0 || has_steps)) {
       result.emplace();
