@@ -112,6 +112,58 @@ void put_locations(const Hexahedral_soup& soup, const Flat_volume& volume, const
   }
 }
 
+// `extract_hexahedra()` with a plain chain, which may have more than it reads.
+template <typename ConcurrencyTag, typename PointRange, typename TetrahedronRange,
+          typename CornerUVWMap, typename HexahedronPointRange, typename HexahedronRange,
+          typename Parameters>
+Hexahedra_report
+extract_with_plain_parameters(const PointRange& points, const TetrahedronRange& tetrahedra,
+                              CornerUVWMap uvw_map, HexahedronPointRange& hexahedron_points,
+                              HexahedronRange& hexahedra, const Parameters& plain)
+{
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!std::is_same<ConcurrencyTag, CGAL::Parallel_tag>::value,
+                "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+  const Protect_exact_arithmetic protect;
+  if(const auto refusal = inexact_arithmetic())
+    return refused<Hexahedra_report>(*refusal);
+  using CGAL::parameters::get_parameter;
+  const auto location_map = get_parameter(plain, CGAL::internal_np::vertex_location);
+  constexpr bool keeps_locations = is_given<decltype(location_map)>;
+  Hexahedra_report report;
+  Flat_volume volume;
+  std::vector<Uvw> flat_points;
+  Hexahedral_soup soup;
+  const Extraction_options options{
+    chosen(plain, CGAL::internal_np::maximum_number, default_maximum_number_of_hexahedra),
+    !std::is_same<ConcurrencyTag, CGAL::Sequential_tag>::value, keeps_locations};
+  std::optional<Refusal> refusal;
+  {
+    Tetrahedra cells;
+    using Aligned =
+      CGAL::Named_function_parameters<bool, CGAL::internal_np::align_boundary_t,
+                                      std::decay_t<decltype(plain)> >;
+    refusal = read_volume(tetrahedra, uvw_map, Aligned(true, plain), cells, volume, {},
+                          Cells_to_read::ALL);
+  }
+  if(!refusal)
+    refusal = read_points(points, volume, flat_points);
+  if(!refusal) {
+    read_coordinates(uvw_map, volume);
+    refusal = extract(volume, flat_points, options, soup, report);
+  }
+  if(refusal) {
+    refuse(report, *refusal);
+    return report;
+  }
+  const std::size_t first = hexahedron_points.size();
+  append_hexahedra(soup, hexahedron_points, hexahedra);
+  if constexpr(keeps_locations)
+    put_locations(soup, volume, first, location_map);
+  return report;
+}
+
 } // namespace internal
 /// \endcond
 
@@ -222,54 +274,13 @@ Hexahedra_report extract_hexahedra(const PointRange& points, const TetrahedronRa
                                    HexahedronRange& hexahedra,
                                    const NamedParameters& np = CGAL::parameters::default_values())
 {
-#ifndef CGAL_LINKED_WITH_TBB
-  static_assert(!std::is_same<ConcurrencyTag, CGAL::Parallel_tag>::value,
-                "Parallel_tag is enabled but TBB is unavailable.");
-#endif
-  const internal::Protect_exact_arithmetic protect;
-  if(const auto refusal = internal::inexact_arithmetic())
-    return internal::refused<Hexahedra_report>(*refusal);
-  using CGAL::parameters::get_parameter;
   constexpr auto read =
     internal::named<CGAL::internal_np::cell_neighbors, CGAL::internal_np::feature_edges,
                     CGAL::internal_np::feature_facets, CGAL::internal_np::maximum_number,
                     CGAL::internal_np::verbose, CGAL::internal_np::vertex_location,
                     CGAL::internal_np::visitor>;
-  const auto& plain = internal::strip(np, read);
-  const auto location_map = get_parameter(plain, CGAL::internal_np::vertex_location);
-  constexpr bool keeps_locations = internal::is_given<decltype(location_map)>;
-  Hexahedra_report report;
-  internal::Flat_volume volume;
-  std::vector<internal::Uvw> flat_points;
-  internal::Hexahedral_soup soup;
-  const internal::Extraction_options options{
-    internal::chosen(plain, CGAL::internal_np::maximum_number,
-                     internal::default_maximum_number_of_hexahedra),
-    !std::is_same<ConcurrencyTag, CGAL::Sequential_tag>::value, keeps_locations};
-  std::optional<internal::Refusal> refusal;
-  {
-    internal::Tetrahedra cells;
-    using Aligned =
-      CGAL::Named_function_parameters<bool, CGAL::internal_np::align_boundary_t,
-                                      std::decay_t<decltype(plain)> >;
-    refusal = internal::read_volume(tetrahedra, uvw_map, Aligned(true, plain), cells, volume, {},
-                                    internal::Cells_to_read::ALL);
-  }
-  if(!refusal)
-    refusal = internal::read_points(points, volume, flat_points);
-  if(!refusal) {
-    internal::read_coordinates(uvw_map, volume);
-    refusal = internal::extract(volume, flat_points, options, soup, report);
-  }
-  if(refusal) {
-    internal::refuse(report, *refusal);
-    return report;
-  }
-  const std::size_t first = hexahedron_points.size();
-  internal::append_hexahedra(soup, hexahedron_points, hexahedra);
-  if constexpr(keeps_locations)
-    internal::put_locations(soup, volume, first, location_map);
-  return report;
+  return internal::extract_with_plain_parameters<ConcurrencyTag>(
+    points, tetrahedra, uvw_map, hexahedron_points, hexahedra, internal::strip(np, read));
 }
 
 } // namespace Hexahedral_meshing

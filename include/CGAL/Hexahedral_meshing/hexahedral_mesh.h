@@ -123,9 +123,9 @@ private:
                            np::align_boundary, true);
     Report& report = m_report;
     if(m_target == 0)
-      report = snap_volume_to_seamless(m_tetrahedra, uvw_map, grid);
+      report = snap_volume(m_tetrahedra, uvw_map, grid);
     else
-      report = snap_volume_to_seamless(
+      report = snap_volume(
         m_tetrahedra, uvw_map,
         with(with(grid, np::rounding_tolerance, any_distance), np::repair_flips,
              Flip_repair::UNTANGLE));
@@ -134,7 +134,7 @@ private:
     if(!report)
       return;
     Hexahedral_mesh mesh;
-    static_cast<Hexahedra_report&>(m_report) = extract_hexahedra<ConcurrencyTag>(
+    static_cast<Hexahedra_report&>(m_report) = extract_with_plain_parameters<ConcurrencyTag>(
       m_points, m_tetrahedra, uvw_map, mesh.points, mesh.hexahedra,
       with(m_np, np::maximum_number, (std::max)(m_most, m_target)));
     if(m_report)
@@ -220,7 +220,16 @@ hexahedral_mesh(const PointRange& points, const TetrahedronRange& tetrahedra, Co
                 const NamedParameters& np = CGAL::parameters::default_values())
 {
   const internal::Protect_exact_arithmetic protect;
-  const auto& plain = internal::strip(np);
+  if(const auto refusal = internal::inexact_arithmetic())
+    return internal::refused<Hexahedral_meshing_report>(*refusal);
+  constexpr auto read =
+    internal::named<CGAL::internal_np::cell_neighbors, CGAL::internal_np::feature_edges,
+                    CGAL::internal_np::feature_facets, CGAL::internal_np::maximum_number,
+                    CGAL::internal_np::number_of_iterations,
+                    CGAL::internal_np::target_number_of_hexahedra, CGAL::internal_np::tolerance,
+                    CGAL::internal_np::untangling_iterations, CGAL::internal_np::verbose,
+                    CGAL::internal_np::visitor>;
+  const auto& plain = internal::strip(np, read);
   using Plain = std::decay_t<decltype(plain)>;
   std::vector<CGAL::Simple_cartesian<double>::Point_3> uvw;
   for(std::size_t i = 0; i < 4 * static_cast<std::size_t>(tetrahedra.size()); ++i) {
