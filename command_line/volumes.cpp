@@ -305,6 +305,28 @@ nlohmann::json json_of(const Snapping::Snapping_report& r)
           {"steps", json_of_steps(r.step_times)}};
 }
 
+// Scales the map such that its volume is about the wanted number of hexahedra. If cells are flipped then
+// or parts have collapsed, finer grids are tried.
+// \param scale receives the factor
+template <typename Snap>
+Snapping::Snapping_report snap_to_number(Volume& volume, const Volume_options& options,
+                                         const double hexahedra, double& scale, const Snap& snap)
+{
+  constexpr int largest_number_of_tries = 7; // up to 4 times the number
+  const double size = measure_grid(volume, options).volume;
+  if(!(size > 0))
+    throw Failure(NOT_SOLVED, volume.filename + ": the map has no volume that hexahedra could fill");
+  const std::vector<std::array<double, 3> > input = volume.mesh.uvw;
+  for(int i = 0; ; ++i) {
+    scale = std::cbrt(hexahedra / size) * std::pow(4., i / (3. * (largest_number_of_tries - 1)));
+    const Snapping::Snapping_report report = snap();
+    if((report.status != Snapping::Outcome::FLIPS_REMAIN &&
+        report.status != Snapping::Outcome::NOT_INTEGER) || i + 1 == largest_number_of_tries)
+      return report;
+    volume.mesh.uvw = input;
+  }
+}
+
 } // namespace
 
 void check_volume(const Arguments& arguments)
@@ -365,7 +387,7 @@ void snap_volume(const Arguments& arguments)
   std::string input, output, report_file;
   bool overwrite = false, repair_flips = false;
   int untangling_iterations = 400;
-  double scale = 1, rounding = 0.01;
+  double scale = 1, rounding = 0.01, hexahedra = 0;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Volume_options volume_options;
   options.add_file("input", input);
@@ -378,14 +400,23 @@ void snap_volume(const Arguments& arguments)
   options.add("rounding", "D", rounding, {0, infinity},
               "with --integer-grid: how far from integers translations and levels may be that are "
               "rounded to them (default: 0.01)");
+  options.add("hexahedra", "N", hexahedra, {1, 1e12},
+              "make an integer grid of about N hexahedra, whatever roundings that takes; if cells are "
+              "flipped with so few, of more, up to 4 N");
   options.add("repair-flips", repair_flips, "repair cells that are flipped in the domain, if need "
               "be by changing the coordinates around them");
   options.add("untangling-iterations", "N", untangling_iterations, {0, 1e9},
               "the largest number of passes over the cells around flipped ones (default: 400)");
   options.add("overwrite", overwrite, "let OUT replace IN");
   options.add("report", "R.json", report_file, "write all figures to a file");
+  options.exclude({"hexahedra", "grid-scale"});
+  options.exclude({"hexahedra", "rounding"});
   if(!options.parse(arguments))
     return;
+  if(hexahedra > 0) {
+    volume_options.integer_grid = repair_flips = true;
+    rounding = infinity;
+  }
   for(const std::string& file : {input, output})
     if(suffix_of(file) != "hexex" && !is_special_file(file))
       throw Failure(USAGE, file + ": a tetrahedral mesh is read and written as .hexex only");
@@ -407,15 +438,21 @@ void snap_volume(const Arguments& arguments)
     }
     const std::size_t walls_before = number_of_walls_off_planes(volume);
     const Progress progress("snapping " + counted(volume.mesh.tetrahedra.size(), "cell"));
-    const Snapping::Snapping_report report = Snapping::snap_volume_to_seamless(
-      volume.mesh.tetrahedra, volume.uvw_map(),
-      volume_options.parameters(volume.mesh)
-        .integer_grid(volume_options.integer_grid)
-        .grid_scale(scale)
-        .rounding_tolerance(rounding)
-        .repair_flips(repair_flips ? Snapping::Flip_repair::UNTANGLE : Snapping::Flip_repair::NONE)
-        .number_of_untangling_iterations(untangling_iterations));
+    const auto snap = [&] {
+      return Snapping::snap_volume_to_seamless(
+        volume.mesh.tetrahedra, volume.uvw_map(),
+        volume_options.parameters(volume.mesh)
+          .integer_grid(volume_options.integer_grid)
+          .grid_scale(scale)
+          .rounding_tolerance(rounding)
+          .repair_flips(repair_flips ? Snapping::Flip_repair::UNTANGLE
+                                     : Snapping::Flip_repair::NONE)
+          .number_of_untangling_iterations(untangling_iterations));
+    };
+    const Snapping::Snapping_report report =
+      hexahedra > 0 ? snap_to_number(volume, volume_options, hexahedra, scale, snap) : snap();
     json["snapping"] = json_of(report);
+    json["grid_scale"] = scale;
     if(!report)
       throw Failure(NOT_SOLVED, input + ": " + with_options(report.message));
     const Snapping::Volume_seamlessness after = measure(volume, volume_options);
@@ -444,7 +481,8 @@ void snap_volume(const Arguments& arguments)
          << " degenerate cells before, " << after.number_of_flipped_cells << " and "
          << after.number_of_degenerate_cells << " now\n";
     if(volume_options.integer_grid) {
-      os << "largest rounding " << report.largest_rounding << "\n";
+      os << "largest rounding " << report.largest_rounding << ", of coordinates times " << scale
+         << "\n";
       write(os, grid, after, volume_options);
     }
     if(walls_after > walls_before)

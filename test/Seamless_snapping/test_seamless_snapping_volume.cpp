@@ -383,7 +383,8 @@ int main(int argc, char** argv)
   test_components_listed_negatively();
   test_interruptions();
   test_cell_without_volume();
-  test_levels_on_one_integer();
+  test_slab_thinner_than_a_unit();
+  test_blocks_smaller_than_a_unit();
   test_files();
   test_rounding_of_fractions();
   test_further_files();

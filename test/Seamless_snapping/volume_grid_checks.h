@@ -245,8 +245,11 @@ inline void test_refusals_of_grids()
   const Tet_map map = box_map(3);
   const auto grid = parameters::integer_grid(true);
   check_refusal(Outcome::NOT_INTEGER, map, "grid_scale", grid);
-  check_refusal(Outcome::NOT_INTEGER, map, "lose their orientation",
-                grid.grid_scale(1e-3).rounding_tolerance(10.));
+  // a closed manifold without nodes, whose periods become 0
+  check_refusal(Outcome::NOT_INTEGER,
+                volume_generator::Tetrahedra_builder(volume_generator::quotient("torus", 3, {}),
+                                                     Charts::BLOCKS, 1).build(),
+                "lose their orientation", grid.grid_scale(1e-3).rounding_tolerance(10.));
   check_refusal(Outcome::INVALID_ARGUMENT, map, "grid_scale", grid.grid_scale(-1.));
   check_refusal(Outcome::INVALID_ARGUMENT, map, "tolerance", grid.rounding_tolerance(-1.));
   check_refusal(Outcome::NOT_REPRESENTABLE, map, "2^46", grid.grid_scale(1e15));
@@ -427,8 +430,8 @@ inline void test_cell_without_volume()
 }
 
 // A box of three cubes in a row, the first of which becomes 0.3 wide, before a plane of features:
-// its two planes are rounded to one integer.
-inline void test_levels_on_one_integer()
+// its two planes would be rounded to one integer each on its own.
+inline void test_slab_thinner_than_a_unit()
 {
   Tet_map map = box_map(4);
   Point least = map.corners[0], largest = map.corners[0];
@@ -453,35 +456,40 @@ inline void test_levels_on_one_integer()
                    { return p[along] == 1 - 0.7; }))
       features.push_back({{facet[0], facet[1], facet[2]}});
   }
-  const auto lies_between = [&](const std::size_t c) {
-    const auto has_corner_at = [&](const double x) {
-      return std::any_of(map.corners.begin() + std::ptrdiff_t(4 * c),
-                         map.corners.begin() + std::ptrdiff_t(4 * c + 4),
-                         [&](const Point& p) { return p[along] == x; });
-    };
-    return has_corner_at(0) && has_corner_at(1 - 0.7);
-  };
-  const auto grid =
-    parameters::integer_grid(true).rounding_tolerance(1.).feature_facets(features);
-  for(const auto repair : {Snapping::Flip_repair::NONE, Snapping::Flip_repair::UNTANGLE}) {
-    Tet_map copy = map;
-    const Snapping_report report = snap(copy, grid.repair_flips(repair));
-    CHECK_IN(report.message, bool(report));
-    CHECK_EQUAL(report.status, Outcome::FLIPS_REMAIN); // no hexahedra without repairs, either
-    CHECK_EQUAL(report.run.number_of_faces_without_area, std::size_t(0));
-    const auto number = std::count_if(report.lost_faces.begin(), report.lost_faces.end(),
-                                      lies_between);
-    CHECK(number > 0);
-    CHECK_IN(report.message, report.message.find("rounded to the same integer: " +
-                                                 std::to_string(number) + " (") !=
-                               std::string::npos &&
-                             report.message.find("grid_scale") != std::string::npos &&
-                             report.message.find("no volume") == std::string::npos &&
-                             report.message.find("UNTANGLE") == std::string::npos);
+  const Tet_map before = map;
+  const Snapping_report report = snap(map, parameters::integer_grid(true).rounding_tolerance(1.)
+                                               .feature_facets(features));
+  CHECK_IN(report.message, report.status == Outcome::SNAPPED && report.message.empty());
+  CHECK_EQUAL(volume_reference::lost_cells(before, map), std::size_t(0));
+  CHECK(volume_grid_reference::count(map).are_integers());
+  std::map<double, double> level; // of planes, as they were
+  for(std::size_t i = 0; i < map.corners.size(); ++i)
+    level[before.corners[i][along]] = map.corners[i][along];
+  CHECK_EQUAL(level.at(1 - 0.7) - level.at(0), 1.);
+}
+
+// Blocks of two cubes along each edge around singular edges and nodes, each block 0.4 units wide:
+// levels, curves, and nodes stay apart.
+inline void test_blocks_smaller_than_a_unit()
+{
+  unsigned int seed = 0;
+  for(const auto& [complex, blocks] :
+      {std::make_pair(volume_generator::quadrants(3, 2), 3),
+       std::make_pair(volume_generator::quadrants(5, 2), 5),
+       std::make_pair(volume_generator::tetrahedron_of_blocks(2), 4)}) {
+    ++seed;
+    const Charts charts = seed % 2 == 0 ? Charts::BLOCKS : Charts::CUBES;
+    Tet_map map = volume_generator::Tetrahedra_builder(complex, charts, seed).build();
+    const std::string name = "small blocks of " + complex.name;
+    const Tet_map before = map;
+    const Snapping_report report = snap(map, parameters::integer_grid(true)
+                                               .grid_scale(0.2 * cubes_to_units)
+                                               .rounding_tolerance(10.));
+    CHECK_IN(name + ": " + report.message, report.status == Outcome::SNAPPED);
+    CHECK_EQUAL(volume_reference::lost_cells(before, map), std::size_t(0));
+    CHECK_IN(name, volume_grid_reference::count(map).are_integers());
+    CHECK_IN(name, volume_grid_reference::volume(map) == blocks);
   }
-  Tet_map copy = map; // as the message tells
-  const Snapping_report report = snap(copy, grid.grid_scale(4.));
-  CHECK_IN(report.message, bool(report) && report.lost_faces.empty() && report.message.empty());
 }
 
 #endif // SEAMLESS_SNAPPING_TEST_VOLUME_GRID_CHECKS_H

@@ -20,6 +20,7 @@
 
 #include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_system.h>
+#include <CGAL/Seamless_snapping/internal/volume/Separated_integers.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_places.h>
 
 #include <algorithm>
@@ -56,8 +57,9 @@ public:
   const Linear_solver& linear_solver() const { return m_solver; }
 
   // \param u per corner
+  // \param separations differences that are to be at least 1
   // Returns false if the number type does not hold the integers.
-  bool solve(const std::vector<Uvw>& u)
+  bool solve(const std::vector<Uvw>& u, const std::vector<Separation>& separations)
   {
     Linear_target target{std::vector<Grid>(m_solver.number_of_components(), m_integers),
                          targets(u)};
@@ -71,14 +73,18 @@ public:
     for(std::size_t j = 0; j < m_x.size(); ++j)
       if(m_solver.component(Column_index(j)) < 0 && !m_integers.nearest(target.values[j], m_x[j]))
         return false;
+    std::vector<double> values;
+    for(const Grid_value& v : target.values)
+      values.push_back(static_cast<double>(v.base) + v.offset);
+    separate_integers(m_system.rows(), m_system.weights(), values, separations, m_x);
     return true;
   }
 
   // Coordinate c of the sector of a corner, in all members alike.
   std::int64_t operator()(const Corner_index corner, const std::size_t c) const
   {
-    const Place& place = m_members.place(m_members.member_of_corner(corner));
-    return m_x[3 * (place.first_slot + m_members.slot_of_corner(corner)) + c];
+    return m_x[m_members.column(m_members.member_of_corner(corner),
+                                m_members.slot_of_corner(corner), c)];
   }
 
 private:

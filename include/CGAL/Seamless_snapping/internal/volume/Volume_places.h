@@ -357,6 +357,10 @@ public:
     return is_kept;
   }
 
+  // The column of coordinate c of a sector in the system of places, which members share.
+  std::size_t column(const Member_index m, const std::size_t slot, const std::size_t c) const
+  { return 3 * (place(m).first_slot + slot) + c; }
+
   // How coordinate c of a sector moves.
   Term term(const Member_index m, const std::size_t slot, const std::size_t c) const
   {

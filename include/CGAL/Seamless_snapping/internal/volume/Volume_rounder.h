@@ -236,7 +236,9 @@ public:
       return std::nullopt;
     m_report.linear_solver = m_integers.linear_solver().figures();
     std::vector<Uvw> u = m_volume.coordinates;
-    if(!m_integers.solve(u))
+    const std::vector<Separation> separations =
+      Separation_finder(m_volume, transitions, m_members).find();
+    if(!m_integers.solve(u, separations))
       return not_representable();
     auto worst = largest_rounding(u);
     std::optional<Rounding_displacement> displacement = displacement_of(u);
@@ -245,7 +247,7 @@ public:
       std::vector<Uvw> moved = u;
       if(m_rounding_tolerance > 0)
         moved = Volume_chart_mover(m_volume, transitions, alignment).run();
-      if(!m_integers.solve(moved))
+      if(!m_integers.solve(moved, separations))
         return not_representable();
       const auto worst_of_moved = largest_rounding(moved);
       std::optional<Rounding_displacement> of_moved = displacement_of(moved);
@@ -258,7 +260,7 @@ public:
         displacement.emplace(std::move(*of_moved));
         worst = worst_of_moved;
       } else {
-        m_integers.solve(u); // as before
+        m_integers.solve(u, separations); // as before
       }
     }
     m_timer.finish("rounding");
