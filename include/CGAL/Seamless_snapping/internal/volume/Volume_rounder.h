@@ -267,7 +267,7 @@ public:
     m_report.largest_rounding = worst.first;
     if(worst.first > m_rounding_tolerance)
       return Refusal(Outcome::NOT_INTEGER,
-                     worst.second + " must move by " + short_number(worst.first) +
+                     worst.second + " must move by " + short_number(rounded_up(worst.first)) +
                        " to reach the integer that fits the others, but the rounding_tolerance "
                        "is " + short_number(m_rounding_tolerance) + "; raise it to at least this "
                        "distance, or scale the map up by grid_scale");
@@ -308,6 +308,13 @@ private:
                            " is too large: beyond 2^" + std::to_string(bits) + ", where units "
                            "can't be counted safely; move or shrink the map");
     return std::nullopt;
+  }
+
+  // To three digits, so that the number that is told is far enough.
+  static double rounded_up(const double x)
+  {
+    const double unit = std::pow(10., std::floor(std::log10(x)) - 2);
+    return std::ceil(x / unit) * unit;
   }
 
   // The largest distance of a translation or a level from its integer, and the place.
