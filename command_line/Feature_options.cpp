@@ -3,6 +3,7 @@
 #include "Options.h"
 #include "words.h"
 
+#include <CGAL/Quad_remeshing/detect_features.h>
 #include <CGAL/Quad_remeshing/remove_feature_noise.h>
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -32,6 +33,28 @@ void mark_sharp_edges(const double angle, Model& model)
   model.mesh.remove_property_map(is_sharp);
 }
 
+// Marks the sharp edges that are features of a part, and tells whether there are any.
+void detect_features(const double length, Model& model, std::ostream& os)
+{
+  constexpr double angle = 40; // edges of parts are mostly sharper, facets of round parts are not
+  Edge_bool_map is_found = model.mesh.add_property_map<Edge, bool>("e:found", false).first;
+  QR::Detected_features found;
+  {
+    const Size_near_one size(model.mesh);
+    found = QR::detect_features(model.mesh, angle, length / size.unscaled(1), is_found);
+  }
+  for(const Edge e : model.mesh.edges())
+    model.is_feature[e] = model.is_feature[e] || is_found[e];
+  model.mesh.remove_property_map(is_found);
+  const std::size_t left_out = found.number_of_sharp_edges - found.number_of_features;
+  if(found.number_of_features > 0)
+    os << counted(found.number_of_features, "sharp edge")
+       << " kept; --feature-angle 0 keeps none\n";
+  if(left_out > 0)
+    os << counted(left_out, "sharp edge") << " not kept, because most there are short, or the surface "
+       << "beside them bends, too; --feature-angle " << angle << " keeps them\n";
+}
+
 // Notes if more than half of all features are short for the edges of the mesh, unless they are few.
 void note_noise(const std::size_t number_of_features, Model& model, std::ostream& os)
 {
@@ -59,16 +82,19 @@ void Feature_options::add_to(Options& options, const std::string& keep,
                              const std::string& default_length)
 {
   options.add("feature-angle", "DEGREES", angle, {0, 180},
-              keep + " edges with a larger angle between their faces (default: 0, which " + keep +
-                "s none)");
+              keep + " edges with a larger angle between their faces; 0 " + keep + "s none (default: 40 "
+              "if most such edges lie in chains longer than four edges of quads between smooth faces, "
+              "as on CAD models; else, and with --features, 0)");
   options.add("feature-length", "L", length, {0, (std::numeric_limits<double>::max)()},
               "leave out features that are noise: short lines with a free end, all short lines of a "
               "net with many free ends, and sides of slivers (default: " + default_length + ")");
 }
 
-Marked_features Feature_options::mark(Model& model, std::ostream& os) const
+Marked_features Feature_options::mark(const double edge_length, Model& model, std::ostream& os) const
 {
-  if(angle > 0)
+  if(is_automatic())
+    detect_features(edge_length, model, os);
+  else if(angle > 0)
     mark_sharp_edges(angle, model);
   Marked_features result;
   result.number_left_out = QR::remove_feature_noise(model.mesh, model.is_feature, length);
@@ -84,7 +110,7 @@ Marked_features Feature_options::mark(Model& model, std::ostream& os) const
   if(number + result.number_left_out > 0)
     os << "features: " << counted(number, "edge") << ", of length " << result.length
        << " in sum\n";
-  else if(length > 0 && angle == 0)
+  else if(length > 0 && !(angle > 0))
     os << "note: no edge is a feature that --feature-length could leave out; see --feature-angle and "
           "--features\n";
   if(length == 0)

@@ -21,7 +21,8 @@ struct Marked_features
 // Which edges inside are features, besides those that the file marks.
 struct Feature_options
 {
-  double angle = 0; // in degrees: edges that are sharper
+  static constexpr double automatic = -1;
+  double angle = automatic; // in degrees: edges that are sharper
   double length = 0; // of remove_feature_noise()
 
   // \param keep "keep" or "align", what is done with them
@@ -29,9 +30,12 @@ struct Feature_options
   void add_to(Options& options, const std::string& keep,
               const std::string& default_length = "0, which leaves out none");
 
+  bool is_automatic() const { return angle == automatic; }
+
   // Marks them in the model, and tells how many there are; and notes whether most of these look like
   // noise.
-  Marked_features mark(Model& model, std::ostream& os) const;
+  // \param edge_length how long the edges of the quads are to be
+  Marked_features mark(double edge_length, Model& model, std::ostream& os) const;
 };
 
 // A face can be aligned along two of its edges at most. Returns the edges that are not aligned any

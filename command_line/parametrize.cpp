@@ -18,9 +18,11 @@
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
@@ -70,6 +72,8 @@ struct Parametrize_options
     options.add_alias("svg", "picture");
     if(!options.parse(arguments))
       return false;
+    if(reading.features && features.is_automatic())
+      features.angle = 0;
     check_format(output);
     check_direction_file(field);
     if(!approximate.empty())
@@ -80,6 +84,15 @@ struct Parametrize_options
     return true;
   }
 };
+
+// How long edges of as many quads are as 'quads' and 'remesh' make by default: what the map is for is
+// not known here.
+double edge_of_quads(Mesh& mesh)
+{
+  constexpr double number = 10000;
+  const Size_near_one size(mesh);
+  return size.unscaled(std::sqrt(CGAL::Polygon_mesh_processing::area(mesh) / number));
+}
 
 // What is told of the work, as far as it came.
 struct Outcome
@@ -205,7 +218,7 @@ void parametrize(const Arguments& arguments)
     { return read_plain_model(options.input, options.reading, model); });
   write_repairs(os, options.input, outcome.repairs);
   os << note_on_features(options.reading.features, model);
-  options.features.mark(model, os);
+  options.features.mark(edge_of_quads(model.mesh), model, os);
   run_and_tell([&] { make_parametrization(options, model, outcome, os); },
                [&](Exit, const std::string& message) {
     if(!options.report.empty())

@@ -17,6 +17,7 @@
 #include "pictures/quad_picture.h"
 #include "words.h"
 
+#include <CGAL/Quad_remeshing/find_symmetry_plane.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
@@ -162,7 +163,7 @@ struct Remesh_options
     options.add("symmetry", "PLANE", symmetry,
                 "mirror one half by a plane: x, y, or z for a coordinate plane; A,B,C,D for the plane "
                 "Ax + By + Cz + D = 0, whose positive side is kept; auto for a plane by which all "
-                "vertices of IN are symmetric");
+                "vertices of IN are symmetric up to about six digits");
     reading.add_to(options);
     options.add("picture", "FILE", picture, "draw the quads, as .svg");
     add_patches_to(options, patches);
@@ -173,7 +174,9 @@ struct Remesh_options
     options.exclude({"number", "edge-length", "coarsest"});
     if(!options.parse(arguments))
       return false;
-    leaves_out_noise = features.angle > 0 && !coarsest && !reading.features &&
+    if(reading.features && features.is_automatic())
+      features.angle = 0;
+    leaves_out_noise = features.angle != 0 && !coarsest && !reading.features &&
                        !options.is_given("feature-length");
     if(options.is_given("curvature"))
       curvature = strength;
@@ -230,25 +233,12 @@ double asymmetry(const Mesh& mesh, const Kernel::Plane_3& plane)
   return std::sqrt(largest);
 }
 
-// The plane in the middle across an axis by which the mesh is most symmetric for its extent along
-// that, in words.
-std::string nearest_symmetry(const Mesh& mesh)
+// As --symmetry takes it.
+std::string in_words(const Kernel::Plane_3& plane)
 {
-  const CGAL::Bbox_3 box = PMP::bbox(mesh);
-  double least = std::numeric_limits<double>::infinity();
   std::ostringstream os;
-  for(int i = 0; i < 3; ++i) {
-    const double offset = 0 - (box.min(i) + box.max(i)) / 2; // no negative zero
-    const double distance = asymmetry(mesh, Kernel::Plane_3(i == 0, i == 1, i == 2, offset));
-    const double relative = distance / (box.max(i) - box.min(i));
-    if(!(relative < least))
-      continue;
-    least = relative;
-    os.str("");
-    os << "by --symmetry " << (i == 0) << "," << (i == 1) << "," << (i == 2) << ","
-       << std::setprecision(17) << offset << std::setprecision(3) << ", they are up to "
-       << distance << " off";
-  }
+  os << std::setprecision(17) << plane.a() << "," << plane.b() << "," << plane.c() << ","
+     << plane.d();
   return os.str();
 }
 
@@ -258,10 +248,16 @@ std::optional<Kernel::Plane_3> symmetry_plane(const Remesh_options& options, con
   if(options.symmetry != "auto")
     return named_plane(options.symmetry);
   const auto plane = QR::find_symmetry_plane(mesh);
-  if(!plane)
-    throw Failure(NOT_SOLVED, options.input + ": the vertices are not symmetric, exactly, by a "
-                              "plane across a coordinate axis; " + nearest_symmetry(mesh));
-  return plane;
+  if(plane)
+    return plane;
+  std::ostringstream os;
+  os << options.input << ": the vertices are not symmetric by a plane across a coordinate axis";
+  const auto nearest = QR::find_symmetry_plane(
+    mesh, QR::parameters::tolerance(std::numeric_limits<double>::infinity()));
+  if(nearest)
+    os << "; by --symmetry " << in_words(*nearest) << ", they are up to " << std::setprecision(3)
+       << asymmetry(mesh, *nearest) << " off";
+  throw Failure(NOT_SOLVED, os.str());
 }
 
 // Throws `Failure` if the quads are too many, or less than one.
@@ -349,8 +345,10 @@ std::string note_on_plane(const Remesh_options& options,
            "is mirrored, not one half of it\n";
   if(options.symmetry == "auto") {
     std::ostringstream os;
-    os << "symmetry: by the plane " << std::setprecision(17) << plane->a() << "," << plane->b() << ","
-       << plane->c() << "," << plane->d() << "\n";
+    os << "symmetry: by the plane " << in_words(*plane);
+    if(const double distance = asymmetry(mesh, *plane); distance > 0)
+      os << ", up to " << std::setprecision(3) << distance << " off; the quads are symmetric exactly";
+    os << "\n";
     return os.str();
   }
   const double distance = asymmetry(mesh, *plane);
@@ -524,9 +522,10 @@ void remesh(const Arguments& arguments)
       read_directions(options.field, outcome.repairs, model.mesh, os);
     const Sizing_map sizes = read_sizes(options.sizes, options.input, outcome.repairs, model);
     os << note_on_sizes(sizes, model);
+    const double length = options.wanted_length(model.mesh, sizes);
     if(options.leaves_out_noise)
-      options.features.length = options.wanted_length(model.mesh, sizes);
-    outcome.features = options.features.mark(model, os);
+      options.features.length = length;
+    outcome.features = options.features.mark(length, model, os);
     if(options.feature_loss > 0 && outcome.features.length == 0)
       os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
             "--features\n";

@@ -24,6 +24,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Upper_sides.h>
 #include <CGAL/Quad_remeshing/measure_quad_shapes.h>
+#include <CGAL/Quad_remeshing/find_symmetry_plane.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
@@ -1849,10 +1850,8 @@ void test_symmetry()
         CHECK_IN(context, report.number_of_inverted_quads == 0);
       }
     }
-    Mesh moved = mesh, quads;
-    moved.point(Vertex(5)) = moved.point(Vertex(5)) + Kernel::Vector_3(0, 1e-15, 0);
-    moved.point(Vertex(7)) = moved.point(Vertex(7)) + Kernel::Vector_3(0, 1e-9, 1e-9);
-    CHECK(!QR::find_symmetry_plane(moved).has_value());
+    symmetry_plane_checks::test_perturbed(mesh, *plane);
+    Mesh quads;
     CHECK(QR::quad_remesh(mesh, quads, parameters::symmetry_plane(Kernel::Plane_3(1, 0, 0, -9)))
             .status == QR::Outcome::INVALID_ARGUMENT);
     CHECK(QR::quad_remesh(mesh, quads, parameters::symmetry_plane(Kernel::Plane_3(0, 0, 0, 1)))

@@ -237,7 +237,9 @@ Detected_features detect_features(const TriangleMesh& tmesh, const double angle_
   namespace PMP = CGAL::Polygon_mesh_processing;
   using Edge = typename boost::graph_traits<TriangleMesh>::edge_descriptor;
   CGAL_precondition(CGAL::is_triangle_mesh(tmesh));
-  const auto stripped = internal::strip(np);
+  constexpr auto read =
+    internal::named<CGAL::internal_np::vertex_index, CGAL::internal_np::vertex_point>;
+  const auto& stripped = internal::strip(np, read);
   const auto point_map =
     internal::chosen(stripped, CGAL::internal_np::vertex_point,
                      CGAL::get_const_property_map(CGAL::vertex_point, tmesh));

@@ -503,67 +503,6 @@ Remeshing_report quad_remesh(const Quantization& quantization, const TriangleMes
   return write_quads(tmesh, quads, parameters, strip(np2, quad_mesh_parameters), false, make_quads);
 }
 
-/*!
-\ingroup PkgQuadRemeshingQuads
-
-finds a plane by which the vertices of a mesh are symmetric: each has an image among them, exactly.
-A plane that all vertices lie on is not meant. Planes perpendicular to a coordinate axis are looked
-for, first to the x-axis. Whether the faces are symmetric does not matter.
-
-\tparam TriangleMesh a model of `VertexListGraph`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-
-\param tmesh a mesh with at least one vertex
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below
-
-\cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{the points of the vertices of `tmesh`, whose coordinates are doubles or
-                          floats}
-    \cgalParamType{a class model of `ReadablePropertyMap` with
-                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
-                   `%Point_3` as value type}
-    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
-
-\return the plane, for the parameter `symmetry_plane` of `quad_remesh()`, if there is one
-
-\par Complexity
-The vertices are sorted six times at most.
-
-\sa `quad_remesh()`
-*/
-template <typename TriangleMesh,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-auto find_symmetry_plane(const TriangleMesh& tmesh,
-                         const NamedParameters& np = CGAL::parameters::default_values())
-{
-  const internal::Protect_exact_arithmetic protect;
-  constexpr auto read = internal::named<CGAL::internal_np::vertex_point>;
-  const auto point_map = internal::chosen(internal::strip(np, read),
-                                          CGAL::internal_np::vertex_point,
-                                          CGAL::get_const_property_map(CGAL::vertex_point, tmesh));
-  using Point = typename boost::property_traits<std::decay_t<decltype(point_map)> >::value_type;
-  using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
-  using FT = typename Kernel::FT;
-  std::vector<std::array<double, 3> > points;
-  for(const auto v : vertices(tmesh)) {
-    const auto& p = get(point_map, v);
-    points.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-  }
-  std::sort(points.begin(), points.end());
-  std::optional<typename Kernel::Plane_3> result;
-  for(std::size_t axis = 0; axis < 3 && !points.empty() && !result; ++axis)
-    if(const auto doubled = internal::find_doubled_offset(points, axis);
-       doubled && CGAL::to_double(FT(*doubled / 2)) == *doubled / 2) {
-      const auto unit = [&](const std::size_t i) { return FT(i == axis ? 1 : 0); };
-      result = typename Kernel::Plane_3(unit(0), unit(1), unit(2), FT(-*doubled / 2));
-    }
-  return result;
-}
-
 } // namespace Quad_remeshing
 } // namespace CGAL
 

@@ -15,9 +15,8 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// A plane by which a surface is its own mirror image, and which plane that is for points.
+// A plane by which a surface is its own mirror image, and the half on one side of it.
 
-#include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -32,7 +31,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -106,29 +104,6 @@ private:
   std::array<double, 3> m_normal;
   double m_offset;
 };
-
-// Twice the coordinate of the plane across an axis by which the points are symmetric, if each has
-// an image among them, exactly. It lies in the middle between the outermost points. Points that all
-// lie on a plane are not taken for images of themselves.
-inline std::optional<double>
-find_doubled_offset(const std::vector<std::array<double, 3> >& sorted, const std::size_t axis)
-{
-  const auto [lowest, highest] =
-    std::minmax_element(sorted.begin(), sorted.end(),
-                        [&](const auto& p, const auto& q) { return p[axis] < q[axis]; });
-  const Exact_difference sum((*highest)[axis], -(*lowest)[axis]);
-  if(!sum.is_valid() || sum.error != 0 || (*lowest)[axis] == (*highest)[axis])
-    return std::nullopt;
-  std::vector<std::array<double, 3> > images(sorted);
-  for(std::array<double, 3>& p : images) {
-    const Exact_difference image(sum.rounded, p[axis]);
-    if(image.error != 0)
-      return std::nullopt;
-    p[axis] = image.rounded;
-  }
-  std::sort(images.begin(), images.end());
-  return images == sorted ? std::optional<double>(sum.rounded) : std::nullopt;
-}
 
 // The triangles of a surface on the upper side of a mirror: those that cross it are cut.
 
