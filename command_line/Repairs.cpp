@@ -5,19 +5,16 @@
 #include "Progress.h"
 #include "Surface_soup.h"
 #include "Topology.h"
+#include "closing.h"
 #include "words.h"
 
 #include <CGAL/AABB_segment_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/Polygon_2_algorithms.h>
-#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #include <nlohmann/json.hpp>
 
@@ -54,59 +51,6 @@ void turn_back(Mesh& mesh, const Piece_map piece, const std::vector<char>& is_tu
   PMP::reverse_face_orientations(back, mesh);
   for(std::size_t p = 0; p < repairs.pieces; ++p)
     repairs.turned_faces += std::size_t((std::min)(turned[p], faces[p] - turned[p]));
-}
-
-struct Triangulation_visitor : public PMP::Triangulate_faces::Default_visitor<Mesh>
-{
-  explicit Triangulation_visitor(std::vector<std::size_t>& file_faces) : m_file_faces(&file_faces)
-  { }
-
-  void before_subface_creations(const Mesh::Face_index f) { m_of = (*m_file_faces)[f]; }
-
-  void after_subface_created(const Mesh::Face_index f)
-  {
-    m_file_faces->resize((std::max)(m_file_faces->size(), std::size_t(f) + 1));
-    (*m_file_faces)[f] = m_of;
-  }
-
-private:
-  std::vector<std::size_t>* m_file_faces; // visitors are copied
-  std::size_t m_of = 0;
-};
-
-// Whether a face crosses or touches itself, seen along its normal.
-bool meets_itself(const Mesh& mesh, const Mesh::Face_index f)
-{
-  using Plane_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const Kernel::Vector_3 n = PMP::compute_face_normal(f, mesh);
-  if(n == CGAL::NULL_VECTOR)
-    return false;
-  const Kernel::Vector_3 u =
-    CGAL::cross_product(n, n.x() * n.x() < 0.5 ? Kernel::Vector_3(1, 0, 0)
-                                               : Kernel::Vector_3(0, 1, 0));
-  const Kernel::Vector_3 v = CGAL::cross_product(n, u);
-  std::vector<Plane_kernel::Point_2> corners;
-  for(const auto w : mesh.vertices_around_face(mesh.halfedge(f))) {
-    const Kernel::Vector_3 p = mesh.point(w) - CGAL::ORIGIN;
-    corners.emplace_back(p * u, p * v);
-  }
-  return !CGAL::is_simple_2(corners.begin(), corners.end());
-}
-
-void triangulate(const Polygon_soup& soup, Model& model, Repairs& repairs)
-{
-  const Size_near_one size(model.mesh);
-  for(const auto f : model.mesh.faces()) {
-    repairs.triangulated_faces += model.mesh.degree(f) > 3 ? 1 : 0;
-    if(model.mesh.degree(f) > 4 && meets_itself(model.mesh, f)) // no triangulation ends well there
-      refuse(soup, model.file_faces[f], "the face has more than 4 corners, and meets itself");
-  }
-  PMP::triangulate_faces(model.mesh, CGAL::parameters::visitor(
-                                       Triangulation_visitor(model.file_faces)));
-  for(const auto f : model.mesh.faces())
-    if(model.mesh.degree(f) > 3)
-      refuse(soup, model.file_faces[f], "the face has more than 3 corners, and no area, so that it "
-                                        "can't be triangulated");
 }
 
 // All edges between the places of segments, of which there are several where edges were cut.
@@ -240,7 +184,7 @@ std::size_t count_T_junctions(const Mesh& mesh)
     }));
 }
 
-Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
+Repairs build(const Polygon_soup& soup, const Plain_reading_options& options, Model& model)
 {
   Repairs repairs;
   repairs.file_points = soup.points.size();
@@ -257,11 +201,13 @@ Repairs build(const Polygon_soup& soup, const bool with_features, Model& model)
   repairs.T_junctions = count_T_junctions(model.mesh);
   model.mesh.remove_property_map(piece);
   triangulate(soup, model, repairs);
+  if(options.fill_holes > 0)
+    fill_holes(std::size_t(options.fill_holes), model, repairs);
   repairs.border_loops = number_of_border_loops(model.mesh);
   repairs.vertices = model.mesh.number_of_vertices();
   repairs.faces = model.mesh.number_of_faces();
   repairs.faces_without_area = count_faces_without_area(model.mesh);
-  if(with_features)
+  if(options.features)
     mark_segments(soup, surface, model);
   else
     repairs.unused_segments = soup.segments.size();
@@ -275,6 +221,8 @@ void Plain_reading_options::add_to(Options& options)
   options.add("features", features, "treat the edges of 'l' elements as features");
   options.add("merge", "DISTANCE", merge, {0, std::numeric_limits<double>::infinity(), true},
               "merge points up to this distance, for surfaces whose parts don't quite meet");
+  options.add("fill-holes", "N", fill_holes, whole_numbers(3, 1 << 20),
+              "close holes that have at most N edges by triangles; this also closes small open pieces");
   options.add("strict", strict, "refuse a mesh that needs repair or triangulation");
 }
 
@@ -298,6 +246,8 @@ std::string Repairs::in_words() const
                                       std::to_string(first_face_of_flat_pieces));
   add(turned_faces, "face", "turned round to fit the others");
   add(triangulated_faces, "face", "triangulated");
+  add(split_diagonals, "point", "added in faces no diagonal of which is free");
+  add(filled_holes, "hole", "filled by --fill-holes");
   return result;
 }
 
@@ -310,7 +260,7 @@ Repairs read_plain_model(const std::string& filename, const Plain_reading_option
   const std::size_t merged_points = options.merge > 0 ? merge_points(options.merge, soup) : 0;
   Repairs repairs;
   try {
-    repairs = build(soup, options.features, model);
+    repairs = build(soup, options, model);
     repairs.merged_points = merged_points;
   } catch(const Failure& failure) {
     throw Failure(failure.status, filename + ": " + failure.what());
@@ -366,7 +316,10 @@ nlohmann::json json_of(const Repairs& r)
                        {"added_bowtie_vertices", r.bowtie_vertices},
                        {"removed_faces_of_flat_pieces", r.faces_of_flat_pieces},
                        {"turned_faces", r.turned_faces},
-                       {"triangulated_faces", r.triangulated_faces}}},
+                       {"triangulated_faces", r.triangulated_faces},
+                       {"split_diagonals", r.split_diagonals},
+                       {"filled_holes", r.filled_holes},
+                       {"faces_of_filled_holes", r.faces_of_filled_holes}}},
           {"repaired", r.in_words()},
           {"mesh", {{"faces", r.faces}, {"vertices", r.vertices}, {"pieces", r.pieces},
                     {"border_loops", r.border_loops},

@@ -29,6 +29,9 @@ struct Repairs
   std::size_t first_face_of_flat_pieces = 0; // its number in the file
   std::size_t turned_faces = 0;
   std::size_t triangulated_faces = 0; // of more than three corners
+  std::size_t split_diagonals = 0;    // at a new point, as other edges have the same ends
+  std::size_t filled_holes = 0;       // as was asked
+  std::size_t faces_of_filled_holes = 0;
 
   std::size_t vertices = 0, faces = 0, pieces = 0, border_loops = 0;
   std::size_t faces_without_area = 0; // that are kept
@@ -46,6 +49,7 @@ struct Plain_reading_options
   bool features = false; // 'l' elements are features
   bool strict = false;
   double merge = 0; // points no farther apart than this
+  double fill_holes = 0; // of at most so many edges
   bool verbose = false; // tells of each step; else only of large files
 
   void add_to(Options& options);
