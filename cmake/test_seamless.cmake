@@ -9,12 +9,21 @@ function(expect what)
   endif()
 endfunction()
 
+string(CONCAT words_of_library "[a-z_]+\\(\\)|[a-z]\\((true|false|[0-9]+)\\)|CGAL::|"
+  "grid_scale|integer_grid|align_border|maximum_number|target_|"
+  "needs_face_graph|_map[^a-z_.]|symmetry_plane|rotational_symmetry|_tolerance|curvature_|"
+  "maximum_feature_loss|number_of_untangling")
+
 # Runs the program; what it writes to the standard streams is in `out` and `err`.
 function(seamless expected_status)
   execute_process(COMMAND "${SEAMLESS}" ${ARGN} WORKING_DIRECTORY "${WORK_DIR}"
     RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE err)
   if(NOT status EQUAL expected_status)
     message(SEND_ERROR "seamless ${ARGN}: status ${status}, not ${expected_status}:\n${out}${err}")
+  endif()
+  # no function and no parameter of the library in what it says
+  if("${out}${err}" MATCHES "${words_of_library}")
+    message(SEND_ERROR "seamless ${ARGN}: '${CMAKE_MATCH_0}' in\n${out}${err}")
   endif()
   set(out "${out}" PARENT_SCOPE)
   set(err "${err}" PARENT_SCOPE)
@@ -208,6 +217,55 @@ seamless(3 quads missing.obj new.obj)
 expect_message("${err}" "cannot read 'missing.obj': ${reason}")
 file(REMOVE "${WORK_DIR}/new.obj")
 
+# --- coordinates at the vertices of a PLY file that is cut open: two halves of a square
+
+set(vertices "0 0 0 0 0\n1 0 0 1 0\n1 1 0 1 1\n0 0 0 5 3\n1 1 0 6 4\n0 1 0 5 4\n")
+foreach(name IN ITEMS "s;t" "u;v")
+  list(POP_FRONT name s)
+  file(WRITE "${WORK_DIR}/halves.ply" "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\n\
+property float y\nproperty float z\nproperty float ${s}\nproperty float ${name}\nelement face 2\n\
+property list uchar int vertex_indices\nend_header\n${vertices}3 0 1 2\n3 3 4 5\n")
+  seamless(0 check halves.ply --weld)
+  expect_message("${out}" "note: coordinates at vertices are taken for those of all corners there")
+  expect_message("${out}" "note: 1 edge was welded")
+  seamless(1 check halves.ply)
+  expect_message("${out}" "--weld closes it")
+  seamless(0 snap halves.ply joined.ply --weld)
+  seamless(0 check joined.ply)
+  expect_message("${out}" "2 faces")
+endforeach()
+file(READ "${WORK_DIR}/joined.ply" text)
+string(FIND "${text}" "texcoord" position)
+expect("coordinates of corners" position GREATER 0)
+
+# --- refusals that name the cause: one coordinate with a digit too many; an atlas of triangles
+
+set(grid "")
+foreach(i RANGE 15)
+  math(EXPR x "${i} % 4")
+  math(EXPR y "${i} / 4")
+  string(APPEND grid "v ${x} ${y} 0\nvt ${x} ${y}\n")
+endforeach()
+foreach(i RANGE 2)
+  foreach(j RANGE 2)
+    math(EXPR a "4 * ${j} + ${i} + 1")
+    math(EXPR b "${a} + 1")
+    math(EXPR c "${a} + 5")
+    math(EXPR d "${a} + 4")
+    string(APPEND grid "f ${a}/${a} ${b}/${b} ${c}/${c}\nf ${a}/${a} ${c}/${c} ${d}/${d}\n")
+  endforeach()
+endforeach()
+string(REPLACE "f 6/6 7/7 11/11" "vt 6e67 1\nf 6/17 7/7 11/11" far "${grid}")
+file(WRITE "${WORK_DIR}/far.obj" "${far}")
+seamless(1 snap far.obj new.obj)
+expect_message("${err}" "vertex 6 has, in face 9, the coordinate 6e+67, while the median of all is")
+expect("${err}" NOT err MATCHES "atlas")
+file(WRITE "${WORK_DIR}/triangles.obj" "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n\
+vt 0 0\nvt .4 0\nvt 0 .4\nvt .5 0\nvt .9 0\nvt .5 .4\nvt 0 .5\nvt .4 .5\nvt 0 .9\nvt .5 .5\n\
+vt .9 .5\nvt .5 .9\nf 1/1 3/2 2/3\nf 1/4 2/5 4/6\nf 2/7 3/8 4/9\nf 1/10 4/11 3/12\n")
+seamless(1 snap triangles.obj new.obj)
+expect_message("${err}" "this looks like a texture atlas")
+
 # --- plain meshes: why they are not read, and what is repaired
 
 function(expect_unreadable file content message)
@@ -287,6 +345,40 @@ expect_repair(square.obj "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2//1 3 4\n"
 set(halves "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 0\nv 1 1 0\nv 0 1 0\nv -1 0 0\n")
 expect_repair(doubled.obj "${halves}f 1 2 3\nf 4 5 6\nf 4 6 7\n"
   "2 points were welded to others in the same place" welded_points 2)
+# no diagonal has the ends of another edge, be it of a quad around the same vertex of two edges, or
+# a side of triangles
+foreach(faces IN ITEMS "f 1 2 3 5\nf 1 5 3 4\n;4" "f 1 5 3 4\nf 1 2 3 5\n;4"
+    "f 1 2 3 4\nf 1 3 2\nf 1 4 3\n;4")
+  list(POP_FRONT faces text)
+  file(WRITE "${WORK_DIR}/doublet.obj"
+    "v 0 0 0\nv 1 -5 0\nv 2 0 0\nv 1 5 0\nv 1 0.3 2\n${text}")
+  seamless(0 parametrize doublet.obj repaired.obj --feature-angle 0)
+  seamless(0 check repaired.obj)
+  file(STRINGS "${WORK_DIR}/repaired.obj" lines REGEX "^f")
+  list(LENGTH lines number)
+  expect("${number} triangles" number EQUAL faces)
+endforeach()
+# holes are closed if that is asked for, up to a number of edges
+set(open "OFF\n8 11 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n3 0 3 2\n3 0 2 1\n\
+3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 2 3 7\n3 2 7 6\n3 0 4 7\n3 0 7 3\n3 1 2 6\n")
+file(WRITE "${WORK_DIR}/open.off" "${open}")
+function(expect_filled most_edges message)
+  seamless(0 parametrize open.off repaired.obj --fill-holes ${most_edges} ${ARGN})
+  expect_message("${out}" "${message}")
+endfunction()
+expect_filled(3 "1 hole was filled by --fill-holes\nread: 12 triangles, 8 vertices, 1 piece\n")
+string(REPLACE "8 11 0" "8 10 0" open "${open}")
+string(REPLACE "3 1 2 6\n" "" open "${open}")
+file(WRITE "${WORK_DIR}/open.off" "${open}")
+expect_filled(3 "read: 10 triangles, 8 vertices, 1 piece, 1 border loop\n")
+expect_filled(4 "1 hole was filled by --fill-holes\nread: 12 triangles, 8 vertices, 1 piece\n"
+  --report repaired.json)
+file(READ "${WORK_DIR}/repaired.json" json)
+expect_message("${json}" "\"faces_of_filled_holes\": 2")
+seamless(3 parametrize open.off repaired.obj --fill-holes 4 --strict)
+expect_message("${err}" "1 hole was filled by --fill-holes")
+seamless(2 parametrize open.off repaired.obj --fill-holes 2)
+expect_message("${err}" "--fill-holes must be")
 # bodies that touch in an edge stay as they are
 set(body "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n")
 set(other "v 0 0 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nf 5 7 6\nf 5 6 8\nf 6 7 8\nf 5 8 7\n")
@@ -675,6 +767,21 @@ expect_message("${out}" "6 patches, 0 T-junctions") # the sides of the box
 expect_message("${out}" "features: 40 edges, of length 20 in sum")
 file(STRINGS "${WORK_DIR}/box_quads.obj" lines REGEX "^l [0-9]+ [0-9]+$")
 list(LENGTH lines number)
+# without being asked for, unless they are marked in the file, or lead nowhere
+foreach(command IN ITEMS "remesh;box.off;box_again.obj;--number;200"
+    "parametrize;box.off;box_again.obj")
+  seamless(0 ${command})
+  expect_message("${out}" "40 sharp edges kept; --feature-angle 0 keeps none")
+  expect_message("${out}" "features: 40 edges, of length 20 in sum")
+  file(STRINGS "${WORK_DIR}/box_again.obj" lines REGEX "^l [0-9]+ [0-9]+$")
+  expect("features are written" lines)
+  seamless(0 ${command} --feature-angle 0)
+  expect("${out}" NOT out MATCHES "sharp edge|features")
+endforeach()
+file(WRITE "${WORK_DIR}/ridge.obj" "v -2 0 0\nv 3 0 0\nv 3 1 0\nv -2 1 0\nv 0.25 0.5 0.25\n"
+  "v 0.75 0.5 0.25\nf 1 2 6 5\nf 2 3 6\nf 3 4 5 6\nf 4 1 5\n")
+seamless(0 remesh ridge.obj box_again.obj --number 50)
+expect_message("${out}" "1 sharp edge not kept, because")
 seamless(0 remesh box_quads.obj box_again.obj --number 200 --features) # kept along a pipeline
 expect_message("${out}" "features: ${number} edges, of length ")
 file(STRINGS "${WORK_DIR}/box_patches.obj" lines REGEX "^g patch_[1-6]$")
@@ -941,20 +1048,31 @@ seamless(0 remesh u.off mirrored.off --number 40 --symmetry 1,0,0,-2)
 expect_message("${out}" "mirroring changes parts from 1 to 2, border loops from 1 to 2, the")
 file(WRITE "${WORK_DIR}/tilted.off" "OFF\n3 1 0\n0 0 0\n1 0.3 0.1\n0.2 1 0\n3 0 1 2\n")
 seamless(1 remesh tilted.off mirrored.off --symmetry auto --report auto.json)
-expect_message("${err}" "not symmetric, exactly")
+expect_message("${err}" "not symmetric by a plane across a coordinate axis")
 expect_message("${err}" "by --symmetry 0,1,0,-0.5, they are up to 0.4 off")
 seamless(0 remesh tilted.off mirrored.off --number 40 --symmetry 0,1,0,-0.5)
 expect_message("${out}" "not symmetric by --symmetry: images of vertices are up to 0.4 off")
 file(READ "${WORK_DIR}/auto.json" json)
 expect_message("${json}" "\"written\": false")
-expect_message("${json}" "not symmetric, exactly")
+expect_message("${json}" "not symmetric by a plane across a coordinate axis")
+# of printed digits, an image is half a unit of the last one off; and one vertex that sticks out
+# leaves the plane where it is
+set(faces "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n")
+foreach(x IN ITEMS 0 0.1)
+  file(WRITE "${WORK_DIR}/printed${x}.off" "OFF\n6 8 0\n1 0 0\n-0.999999 0 0\n${x} 2 0.3\n\
+0 -1 0.7\n0 0.2 1\n0 0.1 -1.5\n${faces}")
+endforeach()
+seamless(0 remesh printed0.off mirrored.off --number 100 --symmetry auto)
+expect_message("${out}" "symmetry: by the plane 1,0,0,0, up to 1e-06 off; the quads are symmetric")
+seamless(1 remesh printed0.1.off mirrored.off --number 100 --symmetry auto)
+expect_message("${err}" "by --symmetry 1,0,0,0, they are up to 0.2 off")
 
 # the corner of a body that quads cut off is far from them, though they are near to the body
 file(WRITE "${WORK_DIR}/block.off" "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\
 3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n")
 seamless(2 remesh block.off block_quads.off --edge-length 2)
 expect_message("${err}" "--edge-length makes less than one quad")
-seamless(0 remesh block.off block_quads.off --number 200 --report block.json)
+seamless(0 remesh block.off block_quads.off --number 200 --feature-angle 0 --report block.json)
 string(REGEX MATCH "from the input: ([0-9.e-]+),.*from the quads: ([0-9.e-]+)," match "${out}")
 expect("${out}" CMAKE_MATCH_2 GREATER CMAKE_MATCH_1)
 expect("${out}" NOT out MATCHES "cut off much")
@@ -1027,7 +1145,7 @@ seamless(0 remesh torus.off torus_quads.off --number 20)
 expect("told without --verbose: ${err}" NOT err MATCHES "reading|remeshing")
 seamless(0 remesh torus.off torus_quads.off --number 20 --verbose)
 expect_message("${err}" "reading torus.off\nremeshing ")
-seamless(1 remesh torus.off no_quads.obj --coarsest --maximum-number 5)
+seamless(1 remesh torus.off no_quads.obj --coarsest --maximum-number 5 --feature-angle 0)
 expect_message("${err}" "no mesh of at most 5 quads was found, which is --maximum-number")
 
 # what hangs on a file: the colors and texture coordinates of the square are linear
@@ -1073,6 +1191,11 @@ seamless(0 remesh lossy.obj lossy_quads.obj --number 16)
 expect_message("${err}" "note: not carried over: colors, which not all vertices have")
 seamless(0 remesh square.obj square_quads.off --number 16)
 expect_message("${err}" "note: what square.obj holds besides the mesh is not in square_quads.off")
+file(WRITE "${WORK_DIR}/plain.ply" "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n\
+property float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_index\n\
+end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+seamless(0 remesh plain.ply plain_quads.obj --number 12)
+expect("${err}" NOT err MATCHES "besides")
 # what has no material must not come to have one: all that is left of x = 1 has none
 file(WRITE "${WORK_DIR}/half_red.obj" "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n\
 f 1 2 3\nf 1 3 4\nusemtl red\nf 2 5 6\nf 2 6 3\n")

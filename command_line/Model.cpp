@@ -9,12 +9,17 @@
 #include <CGAL/Seamless_snapping/IO/PLY.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <locale>
+#include <optional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -24,11 +29,46 @@ namespace SS = CGAL::Seamless_snapping;
 
 namespace {
 
-// Options in place of the library's named parameters and functions.
+// This program snaps for rotations by multiples of 90 degrees only.
+std::string with_symmetry_in_words(std::string message)
+{
+  const std::string hint = "; the map is seamless for N = ";
+  const std::size_t begin = message.find(hint);
+  if(begin == message.npos)
+    return message;
+  const int N = std::stoi(message.substr(begin + hint.size()));
+  const std::size_t end = (std::min)(message.find(">())", begin), message.size() - 4) + 4;
+  return message.replace(begin, end - begin,
+                         "; the map is seamless for rotations by multiples of " +
+                           std::to_string(360 / N) + " degrees" +
+                           (message.find("in lattice", begin) < end
+                              ? ", in coordinates of a triangular lattice" : "") +
+                           ", but this program makes maps exact for multiples of 90 degrees only");
+}
+
+// Options in place of the library's named parameters and functions. Of phrases that contain each
+// other, the longer ones come first.
 std::string with_options(const std::string& message)
 {
   static const char* const words[][2] = {
+    // remedies
     {"by snap_to_seamless() with repair_flips(true)", "by --repair-flips"},
+    {"repair them by repair_integer_grid(), or leave out the cells around them: allow_holes(true)",
+     "try --repair-flips, or leave out the quads around them by --allow-holes"},
+    {"; snap_to_seamless() with integer_grid(true) and align_border(true) moves it to the grid",
+     "; --align-border moves it to the grid"},
+    {"call snap_to_seamless() with integer_grid(true) first, or double the map: grid_scale(2)",
+     "ask for a number of quads by --number, or double the map by --grid-scale 2"},
+    {"call snap_to_seamless() with integer_grid(true) first", "ask for a number of quads by --number"},
+    {"call snap_to_seamless() with align_border(true)", "run 'seamless snap' with --align-border"},
+    {"call snap_to_seamless() with the same edge_is_constrained_map",
+     "run 'seamless snap' with --features"},
+    {"call snap_to_seamless() first", "run 'seamless snap' first"},
+    {"; snap with align_border(true)", "; run 'seamless snap' with --align-border"},
+    {"snap the map by snap_to_seamless()", "run 'seamless snap'"},
+    {"pass the map through snap_to_seamless()", "run 'seamless snap' on the map"},
+    {"or scale before the map is made exact, by snap_to_seamless() with grid_scale",
+     "or scale before 'seamless snap'"},
     {"raise the tolerance", "raise --tolerance"},
     {"; raise it to at least this distance, or scale the map up by grid_scale",
      "; ask for a number of quads by --number, which finds integers for each map without flips, or "
@@ -36,25 +76,42 @@ std::string with_options(const std::string& message)
     {"set target_edge_length to about the length of an edge", "scale the mesh to about the size 1"},
     {"and at most maximum_number; see target_number_of_quads and target_edge_length",
      "and at most --maximum-number; see --number, --edge-length, and --sizes"},
+    {"quantize to more quads, or with needs_face_graph(true), or call extract_quad_soup()",
+     "ask for more quads by --number, or try --soup"},
+    {" quantize() with needs_face_graph(true), which leaves out its quad, or call "
+     "extract_quad_soup()",
+     " have the mesh remeshed by 'seamless remesh', which leaves out its quad, or try --soup"},
     {"by grid_scale, or call extract_quad_soup()",
      "by grid_scale, try --soup, or have the mesh remeshed by 'seamless remesh', which always makes "
      "a mesh of quads"},
+    {"call extract_quad_soup()", "try --soup"},
     {"; raise maximum_number, or shrink the map by grid_scale",
      "; shrink the map by --grid-scale, or ask for fewer by --number"},
     {"; raise maximum_number, or let curves end where they meet others",
      "; let curves end where they meet others: leave out --base-complex"},
+    {"; raise maximum_number, or ", "; "},
+    {"see CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()",
+     "'seamless parametrize' takes them apart"},
+    {"quad_remesh() makes", "'seamless remesh' makes"},
+    {"apply convert_to_lattice_coordinates()", "convert them"},
+    // quantities
+    {"can't be multiplied by grid_scale", "can't be multiplied by --grid-scale"},
     {"by grid_scale", "by --grid-scale or --number"},
+    {"grid_scale", "--grid-scale"},
     {"more than maximum_number", "more than --maximum-number"},
     {"which is maximum_number", "which is --maximum-number"},
     {"minimize_number_of_quads(true)", "--coarsest"},
-    {"by maximum_feature_loss", "by --feature-loss"},
-    {"than maximum_feature_loss", "than --feature-loss"},
+    {"maximum_feature_loss", "--feature-loss"},
     {"symmetry_plane", "--symmetry"},
     {"curvature_alignment", "--curvature"},
+    {"curvature_adaptivity must", "--adaptivity must"},
     {"vertex_sizing_map and curvature_adaptivity", "--sizes and --adaptivity"},
+    {"border_tolerance", "--border-tolerance"},
+    {"connection_tolerance", "twice --near, or 0.01,"},
     {"the rounding_tolerance is", "--rounding is"},
+    {"Flip_repair::UNTANGLE changes", "--repair-flips changes"},
     {"number_of_untangling_iterations", "--untangling-iterations"}};
-  return with_words(message, words);
+  return with_words(with_symmetry_in_words(message), words);
 }
 
 // Names of formats are suffixes.
@@ -78,6 +135,72 @@ SS::IO::File_status read_as(const bool weld, Model& model)
   return model.file.read<UVNumber>(
     model.mesh, model.uv_map,
     SS::parameters::edge_is_constrained_map(model.is_feature).weld_borders(weld));
+}
+
+// The numbers of a property of the vertices, of either type.
+std::vector<double> numbers_at_vertices(const Mesh& mesh, const std::string& name)
+{
+  std::vector<double> result;
+  const auto add = [&](const auto& found) {
+    if(found.second)
+      for(const auto v : mesh.vertices())
+        result.push_back(double(found.first[v]));
+  };
+  add(mesh.property_map<Mesh::Vertex_index, float>("v:" + name));
+  add(mesh.property_map<Mesh::Vertex_index, double>("v:" + name));
+  return result;
+}
+
+std::string OBJ_of_PLY(const std::string& text, const std::string& filename, const std::string& s,
+                       const std::string& t)
+{
+  Mesh mesh;
+  std::istringstream file(text);
+  std::string comments;
+  if(!CGAL::IO::read_PLY(file, mesh, comments, false))
+    throw Failure(UNREADABLE, filename + ": the file has coordinates '" + s + "' and '" + t +
+                                "' at vertices; they are read from surfaces only, and this is none");
+  const std::vector<double> u = numbers_at_vertices(mesh, s), v = numbers_at_vertices(mesh, t);
+  std::ostringstream os;
+  os.imbue(std::locale::classic());
+  os.precision(17);
+  for(const auto w : mesh.vertices()) {
+    const Kernel::Point_3& p = mesh.point(w);
+    os << "v " << p.x() << " " << p.y() << " " << p.z() << "\nvt " << u[std::size_t(w)] << " "
+       << v[std::size_t(w)] << "\n";
+  }
+  for(const auto f : mesh.faces()) {
+    os << "f";
+    for(const auto w : mesh.vertices_around_face(mesh.halfedge(f)))
+      os << " " << w + 1 << "/" << w + 1;
+    os << "\n";
+  }
+  return os.str();
+}
+
+// Coordinates at the vertices of a PLY file, as other programs write them, which cut the mesh open
+// along its seams: the same mesh as the text of an OBJ file. Nothing if the file has no such, or if
+// its faces have coordinates, too. Throws `Failure`.
+std::optional<std::string> with_corners(const std::string& text, const std::string& filename)
+{
+  if(text.compare(0, 3, ply) != 0)
+    return std::nullopt;
+  std::set<std::string> names; // of properties
+  std::istringstream header(text.substr(0, text.find("end_header")));
+  for(std::string line; std::getline(header, line); ) {
+    std::istringstream words(line);
+    const std::vector<std::string> all(std::istream_iterator<std::string>(words), {});
+    if(all.size() > 2 && all.front() == "property")
+      names.insert(all.back());
+  }
+  const auto has = [&](const std::string& name) { return names.count(name) == 1; };
+  if(has("texcoord"))
+    return std::nullopt;
+  for(const auto& [s, t] : {std::pair("s", "t"), std::pair("u", "v"),
+                            std::pair("texture_u", "texture_v")})
+    if(has(s) && has(t))
+      return OBJ_of_PLY(text, filename, s, t);
+  return std::nullopt;
 }
 
 void exchange_coordinates(const Model& model)
@@ -105,7 +228,8 @@ private:
 
 void parse(const Reading_options& options, Model& model)
 {
-  model.first_number = model.file.format() == obj ? 1 : 0;
+  if(model.file.format() == ply)
+    model.first_number = 0;
   model.is_float = options.in_float;
   const SS::IO::File_status status = model.is_float ? read_as<float>(options.weld, model)
                                                     : read_as<double>(options.weld, model);
@@ -156,6 +280,11 @@ bool reads_back(const Model& model, const SS::IO::Mesh_text& text, const bool is
 
 } // namespace
 
+bool has_coordinates_at_vertices(const Model& model)
+{
+  return model.file.format() == obj && model.first_number == 0;
+}
+
 double diagonal(const Mesh& mesh)
 {
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
@@ -177,7 +306,13 @@ Size_near_one::Size_near_one(Mesh& mesh)
 
 Size_near_one::~Size_near_one()
 {
-  std::copy(m_points.begin(), m_points.end(), m_mesh.points().begin());
+  for(const auto v : m_mesh.vertices()) { // some may be new
+    const Kernel::Point_3& p = m_mesh.point(v);
+    m_mesh.point(v) = std::size_t(v) < m_points.size()
+                        ? m_points[std::size_t(v)]
+                        : Kernel::Point_3(std::ldexp(p.x(), m_exponent), std::ldexp(p.y(), m_exponent),
+                                          std::ldexp(p.z(), m_exponent));
+  }
 }
 
 double Size_near_one::unscaled(const double length) const
@@ -190,8 +325,11 @@ void read_model(const std::string& filename, const Reading_options& options, Mod
   check_format(filename);
   const Progress progress("reading " + filename, options.verbose);
   model.filename = filename;
-  model.file = SS::IO::Mesh_text(read_file(filename),
-                                 is_special_file(filename) ? "" : suffix_of(filename));
+  const std::string text = read_file(filename);
+  const std::optional<std::string> corners = with_corners(text, filename);
+  model.first_number = corners ? 0 : 1;
+  model.file = corners ? SS::IO::Mesh_text(*corners, obj)
+                       : SS::IO::Mesh_text(text, is_special_file(filename) ? "" : suffix_of(filename));
   parse(options, model);
 }
 
@@ -218,6 +356,7 @@ std::pair<double, int> area_in_domain(const Model& model, const bool only_positi
 void read_again(const Model& other, const Reading_options& options, Model& model)
 {
   model.filename = other.filename;
+  model.first_number = other.first_number;
   model.file = SS::IO::Mesh_text(other.file.text(), other.file.format());
   parse(options, model);
 }
@@ -225,6 +364,9 @@ void read_again(const Model& other, const Reading_options& options, Model& model
 std::string notes_on_reading(const Model& model)
 {
   std::string result;
+  if(has_coordinates_at_vertices(model))
+    result += "note: coordinates at vertices are taken for those of all corners there; what is written "
+              "has coordinates of corners\n";
   if(model.is_mirrored)
     result += "note: the map is mirrored, as most of its faces turn clockwise; u and v are exchanged "
               "to work on it, and what counts as flipped is what turns the other way\n";

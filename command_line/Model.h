@@ -43,6 +43,10 @@ struct Model
               number_of_coinciding_border_edges = 0;
 };
 
+// Whether the file is a PLY file with coordinates at vertices: `Model::file` is the same mesh in the
+// OBJ format then, but messages count as the file does.
+bool has_coordinates_at_vertices(const Model& model);
+
 // Of the bounding box.
 double diagonal(const Mesh& mesh);
 

@@ -130,8 +130,12 @@ void check_snapped(const CGAL::Seamless_snapping::Snapping_report& report, const
 {
   if(report)
     return;
+  if(const std::string far = note_on_far_coordinate(model); !far.empty())
+    throw Failure(NOT_SOLVED, model.filename + ": " + to_string(report.status) + ": " + far);
   const Misfits misfits = count_misfits(model, tolerance);
-  throw Failure(NOT_SOLVED, model.filename + ": " + in_words_of_user(to_text(report), model) +
+  const std::string words = in_words_of_user(to_text(report), model); // of an atlas, without remedies
+  const auto end = misfits.looks_like_atlas() ? words.find(';') : words.npos;
+  throw Failure(NOT_SOLVED, model.filename + ": " + words.substr(0, end) +
                               (misfits.number_of_misfits > 0 ? "\n" + to_text(misfits) : ""));
 }
 

@@ -234,6 +234,12 @@ struct OBJ_attributes
         }
   }
 
+  bool holds_more_than_a_mesh() const
+  {
+    return has_coordinates || !colors.empty() || !libraries.empty() || !lost.empty() ||
+           parts.size() > 1;
+  }
+
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)(); // no such element
 
@@ -522,6 +528,19 @@ std::string OBJ_text(const Model& model, const std::string& input, Located_quads
   return os.str();
 }
 
+// Whether a .obj or .ply file holds what could be carried over to a file of its format.
+bool holds_more_than_a_mesh(const std::string& filename)
+{
+  static const std::string mesh_alone =
+    "ply\nformat ascii 1.0\nelement vertex 0\nproperty double x\nproperty double y\n"
+    "property double z\nelement face 0\nproperty list uchar int vertex_indices\n"
+    "property list uchar int vertex_index\nend_header\n";
+  if(suffix_of(filename) == "ply")
+    return !missing_properties(filename, mesh_alone).empty();
+  return suffix_of(filename) == "obj" &&
+         OBJ_attributes(Mesh_text(read_file(filename), "obj")).holds_more_than_a_mesh();
+}
+
 } // namespace
 
 std::string text_with_attributes(const Model& model, const std::string& input, Located_quads& quads,
@@ -530,8 +549,7 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
   const std::string format = is_special_file(filename) ? "obj" : suffix_of(filename);
   if(format == "obj" && !is_special_file(input) && suffix_of(input) == "obj")
     return OBJ_text(model, input, quads, filename);
-  if(!is_special_file(input) && format != suffix_of(input) &&
-     (suffix_of(input) == "obj" || suffix_of(input) == "ply"))
+  if(!is_special_file(input) && format != suffix_of(input) && holds_more_than_a_mesh(input))
     std::cerr << "note: what " << input << " holds besides the mesh is not in " << filename
               << ", which is of another format" << std::endl;
   if(is_special_file(input))

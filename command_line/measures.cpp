@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace SS = CGAL::Seamless_snapping;
 
@@ -115,6 +119,7 @@ Misfits count_misfits(const Model& model, const double tolerance)
   for(const Edge e : mesh.edges()) {
     if(mesh.is_border(e))
       continue;
+    ++result.number_of_edges;
     const Halfedge h = mesh.halfedge(e), g = mesh.opposite(h);
     const auto &a = model.uv_map[mesh.prev(h)], &b = model.uv_map[h];
     const auto &a_opposite = model.uv_map[g], &b_opposite = model.uv_map[mesh.prev(g)];
@@ -130,4 +135,34 @@ Misfits count_misfits(const Model& model, const double tolerance)
     }
   }
   return result;
+}
+
+std::string note_on_far_coordinate(const Model& model)
+{
+  constexpr double far = 1e6; // no map is drawn out like this, but a digit too many makes it so
+  constexpr std::ptrdiff_t few = 100; // of so many, one may be wrong
+  const Mesh& mesh = model.mesh;
+  const auto size = [&](const Halfedge h) { return largest_component(model.uv_map[h] - CGAL::ORIGIN); };
+  std::vector<Halfedge> corners;
+  for(const Halfedge h : mesh.halfedges())
+    if(!mesh.is_border(h))
+      corners.push_back(h);
+  const auto part = corners.begin() + std::ptrdiff_t(corners.size()) / 2;
+  std::nth_element(corners.begin(), part, corners.end(),
+                   [&](const Halfedge h, const Halfedge g) { return size(h) < size(g); });
+  if(corners.empty() || !(size(*part) > 0))
+    return {};
+  const double median = size(*part);
+  const auto is_far = [&](const Halfedge h) { return size(h) > far * median; };
+  const auto number = std::count_if(part, corners.end(), is_far);
+  if(number == 0 || number > (std::max)(few, std::ptrdiff_t(corners.size())) / few * 6)
+    return {};
+  const Halfedge h = *std::min_element(part, corners.end(), [&](const Halfedge a, const Halfedge b) {
+    return std::make_pair(!is_far(a), a) < std::make_pair(!is_far(b), b);
+  });
+  std::ostringstream os;
+  os << "vertex " << std::size_t(mesh.target(h)) << " has, in face " << std::size_t(mesh.face(h))
+     << ", the coordinate " << size(h) << ", while the median of all is " << median
+     << "; correct it";
+  return in_words_of_user(os.str(), model);
 }

@@ -19,12 +19,13 @@ inline std::string counted(const std::size_t n, std::string noun)
 // The verb after it.
 inline std::string is_or_are(const std::size_t n) { return n == 1 ? " is " : " are "; }
 
-// \param words pairs of what the library says and what stands for it
+// \param words pairs of what the library says and what stands for it, wherever it says so
 template <std::size_t N>
 std::string with_words(std::string message, const char* const (&words)[N][2])
 {
   for(const auto& [theirs, ours] : words)
-    if(const std::size_t i = message.find(theirs); i != message.npos)
+    for(std::size_t i = 0; (i = message.find(theirs, i)) != message.npos;
+        i += std::string(ours).size())
       message.replace(i, std::string(theirs).size(), ours);
   return message;
 }
