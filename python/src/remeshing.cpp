@@ -7,6 +7,7 @@
 #include "quad_arrays.h"
 #include "reports.h"
 
+#include <CGAL/Quad_remeshing/find_symmetry_plane.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
