@@ -1081,7 +1081,7 @@ expect_message("${json}" "\"largest_distance_of_input\"")
 expect_message("${out}" " % off the wanted length in the median")
 expect_message("${json}" "\"median_size_deviation\": 0")
 
-seamless(0 remesh block.off block_quads.off --coarsest)
+seamless(0 remesh block.off block_quads.off --coarsest --feature-angle 0)
 expect_message("${out}" "note: the quads cut off much of the input")
 
 # far fewer than there can be: some more than the fewest, in a better shape
