@@ -76,7 +76,7 @@ def quad_remesh(V: Any, F: Optional[ArrayLike] = ..., quads: Optional[int] = ...
                 edge_length: Optional[float] = ..., coarsest: bool = ..., maximum: Optional[int] = ...,
                 features: Optional[ArrayLike] = ..., feature_loss: float = ..., field: Field = ...,
                 sizes: Optional[ArrayLike] = ..., curvature: Optional[float] = ...,
-                adaptivity: float = ..., border_tolerance: Optional[float] = ...,
+                adaptivity: float = ..., border_tolerance: Optional[float] = ..., area_threshold: Optional[float] = ...,
                 symmetry: Union[str, ArrayLike, None] = ..., weld: Optional[bool] = ...,
                 progress: Progress = ...,
                 report: Literal[False] = ...) -> Tuple[Floats, Integers]: ...
@@ -85,7 +85,7 @@ def quad_remesh(V: Any, F: Optional[ArrayLike] = ..., quads: Optional[int] = ...
                 edge_length: Optional[float] = ..., coarsest: bool = ..., maximum: Optional[int] = ...,
                 features: Optional[ArrayLike] = ..., feature_loss: float = ..., field: Field = ...,
                 sizes: Optional[ArrayLike] = ..., curvature: Optional[float] = ...,
-                adaptivity: float = ..., border_tolerance: Optional[float] = ...,
+                adaptivity: float = ..., border_tolerance: Optional[float] = ..., area_threshold: Optional[float] = ...,
                 symmetry: Union[str, ArrayLike, None] = ..., weld: Optional[bool] = ...,
                 progress: Progress = ...,
                 report: Literal[True]) -> Tuple[Floats, Integers, Report]: ...

@@ -34,6 +34,7 @@ _WORDS = (
     (r"maximum_number", "'maximum'"),
     (r"target_number_of_quads", "'quads'"),
     (r"target_edge_length", "'edge_length'"),
+    (r"area_threshold", "'area_threshold'"),
     (r"symmetry_plane", "'symmetry'"),
     (r"curvature_alignment", "'curvature'"),
     (r"curvature_adaptivity", "'adaptivity'"),

@@ -1,5 +1,7 @@
 """Functions on surfaces: triangles, and coordinates of their corners."""
 
+import warnings
+
 import numpy as np
 
 from . import _checks, _core
@@ -231,7 +233,8 @@ def measure(F, uv, *, V=None, features=None, align_border=False, weld=False):
 
 def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maximum=None,
                 features=None, feature_loss=0, field=None, sizes=None, curvature=None, adaptivity=1,
-                border_tolerance=None, symmetry=None, weld=None, progress=None, report=False):
+                border_tolerance=None, area_threshold=None, symmetry=None, weld=None, progress=None,
+                report=False):
     """Remesh a triangle mesh with quads only.
 
     Parameters
@@ -266,6 +269,9 @@ def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maxi
     border_tolerance : float, optional
         how far straight lines may be from the border that stand in for it, to have fewer corners; half
         an edge of the quads by default
+    area_threshold : float, optional
+        closed parts of less area are left out, but for the largest part; 0 keeps all. By default,
+        specks are left out that are smaller than a quad; a warning tells of them.
     symmetry : str or array_like, optional
         mirror one half: by ``'x'``, ``'y'``, ``'z'`` for a coordinate plane, by four numbers
         ``a, b, c, d`` for the plane ``a x + b y + c z + d = 0``, whose positive side is kept, or
@@ -327,11 +333,16 @@ def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maxi
         curvature=None if curvature is None else _checks.number(curvature, "curvature", 0),
         border_tolerance=None if border_tolerance is None
         else _checks.number(border_tolerance, "border_tolerance", 0),
+        area_threshold=None if area_threshold is None
+        else _checks.number(area_threshold, "area_threshold", 0),
         adaptivity=_checks.number(adaptivity, "adaptivity", 1), plane=plane, finds_plane=finds_plane)
     points, polygons, figures = _call(
         _core.quad_remesh, V, F, checked_features(features, len(V)), directions(field, len(F)), sizes,
         wishes, _checks.choice(weld, "weld"), _checks.progress(progress))
     figures = checked(figures)
+    if figures["number_of_parts_left_out"] > 0 and area_threshold is None:
+        warnings.warn(f"{figures['number_of_parts_left_out']} small closed parts were left out; pass "
+                      "area_threshold=0 to keep all", stacklevel=2)
     return (points, polygons, figures) if _checks.flag(report, "report") else (points, polygons)
 
 

@@ -35,7 +35,7 @@ struct Wishes
   bool coarsest;
   std::optional<std::size_t> maximum_number;
   double feature_loss;
-  std::optional<double> curvature, border_tolerance;
+  std::optional<double> curvature, border_tolerance, area_threshold;
   double adaptivity;
   std::optional<std::array<double, 4> > plane;
   bool finds_plane;
@@ -116,7 +116,8 @@ void make_quads(Array_surface& surface, const Wishes& wishes, Located_quads& qua
                    .curvature_alignment(wishes.curvature)
                    .face_direction_map(direction_map(surface.mesh, wishes.directions))
                    .curvature_adaptivity(wishes.adaptivity).vertex_sizing_map(sizes)
-                   .border_tolerance(wishes.border_tolerance).symmetry_plane(quads.plane)
+                   .border_tolerance(wishes.border_tolerance)
+                   .area_threshold(wishes.area_threshold).symmetry_plane(quads.plane)
                    .minimize_number_of_quads(wishes.coarsest)
                    .maximum_feature_loss(wishes.feature_loss)
                    .target_number_of_quads(wishes.number_of_quads)
@@ -146,6 +147,8 @@ py::dict dict_of(const QR::Remeshing_report& report, const Array_surface& surfac
   result["number_of_vertices"] = report.number_of_vertices;
   result["number_of_irregular_vertices"] = report.number_of_irregular_vertices;
   result["number_of_forced_quads"] = report.number_of_forced_quads;
+  result["number_of_parts_left_out"] = report.number_of_parts_left_out;
+  result["area_of_parts_left_out"] = report.area_of_parts_left_out;
   result["released_features"] = list_of(report.released_features);
   result["number_of_inverted_quads"] = report.number_of_inverted_quads;
   result["first_inverted_quads"] = report.first_inverted_quads;
@@ -211,13 +214,14 @@ void add_remeshing(py::module_& module)
     .def(py::init([](const std::size_t number, const std::optional<double> length,
                      const bool coarsest, const std::optional<std::size_t> maximum,
                      const double loss, const std::optional<double> curvature,
-                     const std::optional<double> tolerance, const double adaptivity,
+                     const std::optional<double> tolerance, const std::optional<double> threshold,
+                     const double adaptivity,
                      const std::optional<std::array<double, 4> >& plane, const bool finds_plane) {
-      return Wishes{number, length, coarsest, maximum, loss, curvature, tolerance, adaptivity, plane,
-                    finds_plane, nullptr, nullptr};
+      return Wishes{number, length, coarsest, maximum, loss, curvature, tolerance, threshold,
+                    adaptivity, plane, finds_plane, nullptr, nullptr};
     }), py::kw_only(), py::arg("number_of_quads"), py::arg("edge_length"), py::arg("coarsest"),
         py::arg("maximum_number"), py::arg("feature_loss"), py::arg("curvature"),
-        py::arg("border_tolerance"), py::arg("adaptivity"), py::arg("plane"),
+        py::arg("border_tolerance"), py::arg("area_threshold"), py::arg("adaptivity"), py::arg("plane"),
         py::arg("finds_plane"));
   module.def("quad_remesh", quad_remesh);
 }

@@ -114,6 +114,17 @@ def test_quads_are_a_closed_surface():
     assert on_two_sides(V2[report["feature_edges"]]).all()
 
 
+def test_small_parts_are_told():
+    V, F = refined_box(3)
+    V2, F2 = np.concatenate([V, 0.01 * V + 2]), np.concatenate([F, F + len(V)])
+    with pytest.warns(UserWarning, match="1 small closed parts were left out"):
+        Q = seamless.quad_remesh(V2, F2, quads=300)[1]
+    alone = seamless.quad_remesh(V, F, quads=300)[1]
+    assert abs(len(Q) - len(alone)) < 30
+    points, _, report = seamless.quad_remesh(V2, F2, quads=300, area_threshold=0, report=True)
+    assert report["number_of_parts_left_out"] == 0 and points.max() > 1.5
+
+
 def test_symmetry():
     V, F = refined_box(3)
     V = V - 0.5
