@@ -110,7 +110,7 @@ Marked_features Feature_options::mark(const double edge_length, Model& model, st
   if(number + result.number_left_out > 0)
     os << "features: " << counted(number, "edge") << ", of length " << result.length
        << " in sum\n";
-  else if(length > 0 && !(angle > 0))
+  else if(length > 0 && !(angle > 0) && !has_default_length)
     os << "note: no edge is a feature that --feature-length could leave out; see --feature-angle and "
           "--features\n";
   if(length == 0)

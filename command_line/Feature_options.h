@@ -24,6 +24,7 @@ struct Feature_options
   static constexpr double automatic = -1;
   double angle = automatic; // in degrees: edges that are sharper
   double length = 0; // of remove_feature_noise()
+  bool has_default_length = false; // nobody asked for the length
 
   // \param keep "keep" or "align", what is done with them
   // \param default_length in words

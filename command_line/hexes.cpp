@@ -113,11 +113,14 @@ HM::Hexahedral_meshing_report make_hexahedra(const Hexahedra_options& options,
 std::string with_options(const std::string& message)
 {
   static const char* const words[][2] = {
+    {"but the rounding_tolerance is", "but without --number it may move by"},
+    {"; raise it to at least this distance, or scale the map up by grid_scale",
+     "; ask for a number of hexahedra by --number, which rounds at any distance"},
     {"scale the map up by grid_scale", "ask for more hexahedra by --number"},
     {"snap_volume_to_seamless()", "'seamless snap'"},
     {"with integer_grid(true)", "with --integer-grid"},
     {"with repair_flips(Flip_repair::UNTANGLE)", "with --repair-flips"},
-    {"set rounding_tolerance", "give --number, which rounds at any distance; or set --rounding"},
+    {"set rounding_tolerance", "give --number, which rounds at any distance"},
     {"with grid_scale", "by 'seamless snap --grid-scale'"},
     {"grid_scale", "--number"},
     {"raise maximum_number", "raise --maximum-number"}};

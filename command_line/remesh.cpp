@@ -523,8 +523,10 @@ void remesh(const Arguments& arguments)
     const Sizing_map sizes = read_sizes(options.sizes, options.input, outcome.repairs, model);
     os << note_on_sizes(sizes, model);
     const double length = options.wanted_length(model.mesh, sizes);
-    if(options.leaves_out_noise)
+    if(options.leaves_out_noise) {
       options.features.length = length;
+      options.features.has_default_length = true;
+    }
     outcome.features = options.features.mark(length, model, os);
     if(options.feature_loss > 0 && outcome.features.length == 0)
       os << "note: no edge is a feature that --feature-loss could release; see --feature-angle and "
