@@ -220,7 +220,7 @@ inline void check_hexahedra(const Hexahedra& hexahedra, const Integers& expected
     border += number == 1;
   }
   CHECK_IN(name, expected.volume == int(hexahedra.cells.size()));
-  CHECK_IN(name, expected.border_area == border);
+  CHECK_IN(name, expected.border_area == long(border));
   CHECK_IN(name, vertices.size() == hexahedra.points.size() && *vertices.begin() == 0);
   CHECK_IN(name, (long long)(vertices.size()) - (long long)(edges.size()) +
                      (long long)(facets.size()) - (long long)(hexahedra.cells.size()) ==

@@ -7,6 +7,7 @@
 #include "interruptions.h"
 #include "piece_checks.h"
 #include "quad_reference.h"
+#include "symmetry_plane_checks.h"
 #include "test_data.h"
 #include "test_surfaces.h"
 
