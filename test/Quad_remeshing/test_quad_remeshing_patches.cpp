@@ -329,9 +329,9 @@ void test_known_shapes()
       add_rectangle(width, 1);
     for(const double width : {1e-4, 1e-5})
       add_rectangle(width, width);
-    shapes = QR::measure_quad_shapes(squares); // the mean side is 20.4
-    CHECK((shapes.first_degenerate_quads == std::vector<std::size_t>{2, 4}));
-    CHECK_EQUAL(shapes.number_of_degenerate_quads, std::size_t(2));
+    const QR::Quad_shapes sides = QR::measure_quad_shapes(squares); // the mean side is 20.4
+    CHECK((sides.first_degenerate_quads == std::vector<std::size_t>{2, 4}));
+    CHECK_EQUAL(sides.number_of_degenerate_quads, std::size_t(2));
   }
   // Of any size, and without numbers that mean nothing.
   for(const double size : {1e-300, 1e-100, 1e100, 1e300}) {
