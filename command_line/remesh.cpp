@@ -284,9 +284,9 @@ void check_number_of_quads(const Remesh_options& options, const double wanted,
   const auto parts = double(input.number_of_parts);
   const double handles = (2 * parts - double(input.number_of_border_loops) -
                           double(input.euler_characteristic)) / 2;
-  const double most = 2 * (std::max)(wanted, of_part * parts + of_handle * handles);
-  if(!options.coarsest &&
-     double(report.number_of_quads) - double(report.number_of_forced_quads) > most)
+  const double most = 2 * (std::max)({wanted, of_part * parts + of_handle * handles,
+                                      double(report.number_of_forced_quads)});
+  if(!options.coarsest && double(report.number_of_quads) > most)
     throw Failure(STILL_FLIPPED, options.output + ": written, but " +
                                    counted(report.number_of_quads, "quad") +
                                    " are more than twice as many as wanted");

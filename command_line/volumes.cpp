@@ -48,8 +48,10 @@ bool is_volume_on_standard_input(const Arguments& arguments)
     if(const std::string suffix = suffix_of(arguments[i]); suffix == "obj" || suffix == "ply")
       return false;
     const std::string option = i > 0 ? arguments[i - 1] : "";
-    if(arguments[i] == "-" && option != "--report" && option != "--picture" && option != "--svg")
+    if(arguments[i] == "-" && option != "--report" && option != "--picture" && option != "--svg") {
+      const Progress progress("reading -"); // the first character may take long to come
       return std::isdigit((std::cin >> std::ws).peek()) != 0;
+    }
   }
   return false;
 }
