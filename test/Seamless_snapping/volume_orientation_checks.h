@@ -8,6 +8,7 @@
 
 #include <CGAL/Seamless_snapping/is_volume_seamless.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <random>
@@ -65,7 +66,7 @@ void test_turned_cells(const std::string& name, const double size, const NamedPa
                                        result.number_of_inexact_facets,
                                        result.number_of_misalignments}};
   };
-  CHECK_IN(name, measure(other) == measure(map) && measure(map)[0] > 200);
+  CHECK_IN(name, measure(other) == measure(map) && measure(map)[0] > 20);
   const Snapping_report report = snap(plain, np), report_of_other = snap(other, np);
   CHECK_IN(name + ": " + report.message, bool(report));
   CHECK_EQUAL(report_of_other.status, report.status);
@@ -78,7 +79,7 @@ void test_turned_cells(const std::string& name, const double size, const NamedPa
   CHECK_IN(name, other.corners == plain.corners && plain.corners != map.corners);
 }
 
-// A ring of cells that has no orientation keeps the one of each cell.
+// A ring of cells that has no orientation keeps the one of each cell: the fewer ones are flipped.
 inline void test_cells_without_common_orientation()
 {
   constexpr std::array<int, 12> vertices{{0, 1, 2, 3, 4, 5, 6, 7, 8, 1, 0, 2}};
@@ -93,8 +94,9 @@ inline void test_cells_without_common_orientation()
   }
   for(std::size_t c = 0; c < 9; ++c) {
     turn(map, {c});
+    const std::size_t negative = flips(map).size();
     CHECK_EQUAL(Snapping::measure_volume_seamlessness(map.cells, Double_map{&map})
-                  .number_of_flipped_cells, flips(map).size());
+                  .number_of_flipped_cells, (std::min)(negative, map.cells.size() - negative));
   }
 }
 
