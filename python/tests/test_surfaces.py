@@ -178,10 +178,11 @@ def test_program_snap(program, load, tmp_path, name):
 
 
 @pytest.mark.parametrize("options, arguments", [
-    ([], {}),
+    (["--feature-angle", "0"], {}),
     (["--feature-angle", "40", "--feature-length", "0"], {"features": True}),
-    (["--symmetry", "auto"], {"symmetry": "auto"}),
-    (["--curvature", "0", "--adaptivity", "3"], {"curvature": 0, "adaptivity": 3}),
+    (["--feature-angle", "0", "--symmetry", "auto"], {"symmetry": "auto"}),
+    (["--feature-angle", "0", "--curvature", "0", "--adaptivity", "3"],
+     {"curvature": 0, "adaptivity": 3}),
 ])
 def test_program_remesh(program, tmp_path, options, arguments):
     V, F = refined_box(3)
