@@ -120,7 +120,6 @@ std::string with_options(const std::string& message)
     {"snap_volume_to_seamless()", "'seamless snap'"},
     {"with integer_grid(true)", "with --integer-grid"},
     {"with repair_flips(Flip_repair::UNTANGLE)", "with --repair-flips"},
-    {"set rounding_tolerance", "give --number, which rounds at any distance"},
     {"with grid_scale", "by 'seamless snap --grid-scale'"},
     {"grid_scale", "--number"},
     {"raise maximum_number", "raise --maximum-number"}};
