@@ -2,6 +2,7 @@
 
 #include "Call.h"
 
+#include <CGAL/Seamless_snapping/internal/IO/Used_vertices.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
 
 #include <algorithm>
@@ -14,54 +15,7 @@ namespace SS = CGAL::Seamless_snapping;
 namespace {
 
 using Soup = SS::internal::Corner_soup<double, double>;
-
-// The rows that triangles have, in their order.
-std::vector<std::size_t> rows_of_triangles(const Surface_arrays& arrays)
-{
-  const std::size_t n = 3 * arrays.number_of_triangles;
-  const std::int64_t* const begin = arrays.triangles;
-  std::vector<std::size_t> result;
-  const std::size_t end = n == 0 ? 0 : std::size_t(*std::max_element(begin, begin + n)) + 1;
-  if(end <= 4 * n) { // else there would be more flags than corners
-    std::vector<char> has_face(end, 0);
-    for(std::size_t i = 0; i < n; ++i)
-      has_face[std::size_t(begin[i])] = 1;
-    for(std::size_t v = 0; v < end; ++v)
-      if(has_face[v])
-        result.push_back(v);
-    return result;
-  }
-  result.assign(begin, begin + n);
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
-// The numbers of rows among those that have faces.
-class Numbers_of_rows
-{
-public:
-  explicit Numbers_of_rows(const std::vector<std::size_t>& rows) : m_rows(rows)
-  {
-    if(rows.back() < 4 * rows.size()) {
-      m_numbers.resize(rows.back() + 1);
-      for(std::size_t v = 0; v < rows.size(); ++v)
-        m_numbers[rows[v]] = SS::internal::Soup_index(v);
-    }
-  }
-
-  SS::internal::Soup_index operator()(const std::int64_t row) const
-  {
-    if(!m_numbers.empty())
-      return m_numbers[std::size_t(row)];
-    const auto it = std::lower_bound(m_rows.begin(), m_rows.end(), std::size_t(row));
-    return SS::internal::Soup_index(it - m_rows.begin());
-  }
-
-private:
-  const std::vector<std::size_t>& m_rows;
-  std::vector<SS::internal::Soup_index> m_numbers;
-};
+using SS::internal::Used_vertices;
 
 [[noreturn]] void refuse_feature(const Surface_arrays& arrays, const std::size_t i)
 {
@@ -72,8 +26,9 @@ private:
                 "; take pairs of vertices that follow each other around a triangle");
 }
 
-Soup soup_of(const Surface_arrays& arrays, const std::vector<std::size_t>& rows)
+Soup soup_of(const Surface_arrays& arrays, const Used_vertices& used)
 {
+  const std::vector<std::size_t>& rows = used.names();
   Soup soup;
   soup.points.resize(rows.size());
   for(std::size_t v = 0; v < rows.size(); ++v)
@@ -81,11 +36,11 @@ Soup soup_of(const Surface_arrays& arrays, const std::vector<std::size_t>& rows)
       soup.points[v] = {{double(v), 0, 0}};
     else
       std::copy_n(arrays.points + 3 * rows[v], 3, soup.points[v].begin());
-  const Numbers_of_rows number(rows);
   soup.triangles.resize(arrays.number_of_triangles);
   for(std::size_t f = 0; f < soup.triangles.size(); ++f)
     for(std::size_t k = 0; k < 3; ++k) {
-      soup.triangles[f].vertices[k] = number(arrays.triangles[3 * f + k]);
+      soup.triangles[f].vertices[k] =
+        used.number(std::size_t(arrays.triangles[3 * f + k]));
       soup.triangles[f].uvs[k] =
         arrays.uv == nullptr ? 0 : SS::internal::Soup_index(3 * f + k);
     }
@@ -98,9 +53,9 @@ Soup soup_of(const Surface_arrays& arrays, const std::vector<std::size_t>& rows)
     Soup::Segment segment{};
     for(std::size_t k = 0; k < 2; ++k) {
       const std::int64_t row = arrays.features[2 * i + k];
-      if(!std::binary_search(rows.begin(), rows.end(), std::size_t(row)))
+      segment.vertices[k] = used.number(std::size_t(row));
+      if(segment.vertices[k] == Used_vertices::none)
         refuse_feature(arrays, i);
-      segment.vertices[k] = number(row);
     }
     soup.segments.push_back(segment);
   }
@@ -122,8 +77,9 @@ Surface_arrays::Surface_arrays(const Integers& t, const std::optional<Doubles>& 
 Array_surface::Array_surface(const Surface_arrays& arrays, const bool weld)
 {
   using namespace SS::internal;
-  const std::vector<std::size_t> rows = rows_of_triangles(arrays);
-  Soup soup = soup_of(arrays, rows);
+  const Used_vertices used({arrays.triangles, arrays.triangles + 3 * arrays.number_of_triangles});
+  const std::vector<std::size_t>& rows = used.names();
+  Soup soup = soup_of(arrays, used);
   Vertex_changes changes;
   std::optional<Soup_edges<Soup::Triangle> > edges;
   try {

@@ -201,6 +201,8 @@ void add_garbage(Mesh& mesh)
   CHECK(mesh.has_garbage() && mesh.number_of_removed_faces() > 0);
 }
 
+constexpr int largest_vertex = 2147483646; // of a soup
+
 // A soup has no mesh: triples of vertices, and an array of points, three for each.
 struct Soup
 {
@@ -232,6 +234,19 @@ struct Soup
                                              boost::typed_identity_property_map<std::size_t>());
   }
 
+  // Gives the vertices far larger indices in the same order, up to the largest one.
+  void scatter_vertices(const std::size_t number_of_vertices)
+  {
+    const auto scattered = [&](const std::size_t v)
+      { return largest_vertex - 1009 * int(number_of_vertices - 1 - v); };
+    for(std::vector<int>& triangle : triangles)
+      for(int& v : triangle)
+        v = scattered(std::size_t(v));
+    for(auto& edge : feature_edges)
+      for(std::size_t& v : edge)
+        v = std::size_t(scattered(v));
+  }
+
   std::vector<std::vector<int> > triangles;
   std::vector<Point_2> points;
   std::vector<std::array<std::size_t, 2> > feature_edges;
@@ -255,6 +270,12 @@ void test_soup(const Named_mesh<Kernel>& input, const Named_mesh<Kernel>& expect
   CHECK_IN(context, different == 0);
   soup.points[0] = Point_2(soup.points[0].x() + 1, soup.points[0].y());
   CHECK_IN(context, !SS::is_soup_seamless(soup.triangles, soup.map(), np));
+  Soup scattered(input);
+  scattered.scatter_vertices(input.mesh.number_of_vertices());
+  CHECK_IN(context, bool(SS::snap_soup_to_seamless(
+                      scattered.triangles, scattered.map(),
+                      np.feature_edges(scattered.feature_edges))));
+  CHECK_IN(context, scattered.points == expected_soup.points);
 }
 
 void test_refused_soups()
@@ -286,6 +307,43 @@ void test_refused_soups()
   CHECK(status({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}) == Status::NOT_MANIFOLD);
   CHECK(status({{0, 1, 2}}, {{1, 3}}) == Status::INVALID_ARGUMENT);
   CHECK(status({{0, 1, 2}}, {{1}}) == Status::INVALID_ARGUMENT);
+  CHECK(status({{0, 1, largest_vertex}}, {{1, largest_vertex}}) == Status::ALREADY_EXACT);
+  CHECK(status({{0, 1, largest_vertex}}, {{1, 2}}) == Status::INVALID_ARGUMENT);
+}
+
+// Messages name vertices by the indices of the caller, however far apart these are.
+void test_names_of_soup_vertices()
+{
+  using Status = SS::Outcome;
+  const auto expect = [](const Status status, const std::string& name,
+                         const std::vector<std::vector<int> >& triangles,
+                         std::vector<Point_2> points, const auto& np) {
+    const SS::Snapping_report report = SS::snap_soup_to_seamless(
+      triangles, boost::make_iterator_property_map(
+                   points.begin(), boost::typed_identity_property_map<std::size_t>()), np);
+    CHECK_IN(name + ": " + report.message, report.status == status);
+    CHECK_IN(report.message, report.message.find(name + ' ') != std::string::npos ||
+                             report.message.find(name + ';') != std::string::npos);
+  };
+  const std::string last = std::to_string(largest_vertex);
+  const Point_2 a(0, 0), b(1, 0), c(0, 1), d(1, 1);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto none = CGAL::parameters::default_values();
+  expect(Status::NOT_MANIFOLD, "edge 70000 " + last,
+         {{3, 70000, largest_vertex}, {5, 70000, largest_vertex}}, {a, b, c, a, b, c}, none);
+  expect(Status::NOT_FINITE, "vertex " + last, {{3, 70000, largest_vertex}},
+         {a, b, Point_2(0, nan)}, none);
+  // the faces form two fans around the vertex that is not finite
+  expect(Status::NOT_FINITE, "vertex " + last,
+         {{3, 70000, largest_vertex}, {5, 6, largest_vertex}}, {a, b, c, a, b, Point_2(0, nan)},
+         none);
+  expect(Status::NOT_SEAMLESS, "vertices 70000 and " + last,
+         {{3, 70000, largest_vertex}, {largest_vertex, 70000, 5}},
+         {a, b, c, c, Point_2(1.3, 0), d}, none);
+  // in the arrays of integer grids
+  expect(Status::NOT_REPRESENTABLE, "vertex " + last,
+         {{3, 70000, largest_vertex}, {largest_vertex, 70000, 5}},
+         {a, b, Point_2(0, 1e15), Point_2(0, 1e15), b, d}, SS::parameters::integer_grid(true));
 }
 
 void test_data_structures(const Named_mesh<Kernel>& original, unsigned int seed)
@@ -490,6 +548,7 @@ int main()
   std::cout.precision(3);
   unsigned int seed = 0;
   test_refused_soups();
+  test_names_of_soup_vertices();
   for(const Named_mesh<Kernel>& named : test_meshes::all_meshes<Kernel>()) {
     for(int round = 0; round < 20; ++round)
       test_data_structures(named, ++seed);

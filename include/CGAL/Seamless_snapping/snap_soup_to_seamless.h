@@ -52,8 +52,7 @@ moves an approximately seamless parametrization of a triangle soup to a nearby o
 seamless, as `snap_to_seamless()` does.
 
 Two faces are neighbors if they share two vertex indices. If the faces around a vertex form several
-fans, each fan counts as a separate vertex. Messages number the further ones after all other
-vertices.
+fans, each fan counts as a separate vertex. Messages name vertices by their indices.
 
 \tparam TriangleRange a range whose elements are ranges of 3 vertex indices:
         `std::vector<std::array<int, 3> >`, for instance
@@ -62,8 +61,8 @@ vertices.
         which can be constructed from two of them
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param triangles the faces: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices. Memory is
-       proportional to the largest of them.
+\param triangles the faces: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices. They need not
+       be consecutive: memory is proportional to the number of faces.
 \param uv_map the coordinates of each corner: key `3 * i + k` is vertex `k` of face `i`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `align_border`,
        `rotational_symmetry`, `tolerance`, `repair_flips`, `number_of_untangling_iterations`,
@@ -108,7 +107,8 @@ Snapping_report snap_soup_to_seamless(const TriangleRange& triangles, CornerUVMa
       return internal::refused<Snapping_report>(*refusal);
     return internal::snap_with_plain_parameters(
       surface.mesh(), internal::Soup_uv_map<CornerUVMap>{surface.corner(), uv_map},
-      plain_np.edge_is_constrained_map(surface.is_feature()));
+      plain_np.edge_is_constrained_map(surface.is_feature())
+              .vertex_index_map(surface.vertex_index()));
   }
 }
 
@@ -146,7 +146,8 @@ bool is_soup_seamless(const TriangleRange& triangles, CornerUVMap uv_map,
       throw std::invalid_argument(refusal->message);
     const internal::Soup_uv_map<CornerUVMap> uv{surface.corner(), uv_map};
     return internal::is_seamless(surface.mesh(), uv,
-                                 plain_np.edge_is_constrained_map(surface.is_feature()));
+                                 plain_np.edge_is_constrained_map(surface.is_feature())
+                                         .vertex_index_map(surface.vertex_index()));
   }
 }
 

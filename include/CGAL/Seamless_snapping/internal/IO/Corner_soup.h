@@ -52,6 +52,7 @@ struct Corner_soup
   std::vector<std::array<UVNumber, 2> > uvs;
   std::vector<Triangle> triangles;
   std::vector<Segment> segments;
+  std::vector<std::size_t> vertex_names; // for messages, per point; empty: as in the file
   bool is_welded = false; // whether vertices are no longer all those of the file
 
   const std::vector<Triangle>& faces() const { return triangles; }

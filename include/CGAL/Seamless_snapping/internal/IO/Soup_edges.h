@@ -52,9 +52,11 @@ class Soup_edges
 public:
   static constexpr Side_index no_side = static_cast<Side_index>(-1);
 
-  // Keeps a reference to the triangles, but reads them in `check_manifold()` only.
-  explicit Soup_edges(const std::vector<Triangle>& triangles)
-    : m_triangles(&triangles), m_first(2, 0)
+  // Keeps references to the triangles and names, but reads them in `check_manifold()` only.
+  // \param names the vertices in messages; if empty, they are numbered as in the file
+  explicit Soup_edges(const std::vector<Triangle>& triangles,
+                      const std::vector<std::size_t>& names = no_names())
+    : m_triangles(&triangles), m_names(&names), m_first(2, 0)
   {
     if(triangles.size() > no_side / 3)
       throw File_refusal(0, "there are more than " + std::to_string(no_side / 3) + " faces");
@@ -195,10 +197,11 @@ private:
   [[noreturn]] void refuse(const Side* const first, const Side* const last, const Side& fault,
                            const std::string& when) const
   {
-    const std::size_t first_number = line(fault) == 0 ? 0 : 1; // vertices in the file
+    const auto name = [&](const std::size_t v) {
+      return std::to_string(!m_names->empty() ? (*m_names)[v] : line(fault) == 0 ? v : v + 1);
+    };
     const auto [low, high] = ends(fault.side);
-    const std::string edge = when + "edge " + std::to_string(low + first_number) + " "
-                             + std::to_string(high + first_number);
+    const std::string edge = when + "edge " + name(low) + " " + name(high);
     if(last - first > 2)
       throw File_refusal(line(fault),
                          edge + " is not manifold: " + std::to_string(last - first)
@@ -240,7 +243,14 @@ private:
     return true;
   }
 
+  static const std::vector<std::size_t>& no_names()
+  {
+    static const std::vector<std::size_t> none;
+    return none;
+  }
+
   const std::vector<Triangle>* m_triangles;
+  const std::vector<std::size_t>* m_names;
   std::vector<Side_index> m_first; // per vertex, and one behind the last
   std::vector<Side> m_sides;
 };

@@ -19,6 +19,7 @@
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>
+#include <CGAL/Seamless_snapping/internal/IO/Used_vertices.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -26,21 +27,36 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Invariant after `read()`: face i is triangle i, and vertex v is that of index v; where the faces
-// around it form several fans, the further ones have vertices of their own, after all others. Where
-// a vertex lies in space means nothing, but that it is elsewhere than the others.
+// The vertices of a soup. Messages name them by the caller's indices.
+struct Soup_vertex_map
+{
+  using key_type = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>::Vertex_index;
+  using value_type = std::size_t;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  const std::vector<std::size_t>* names; // per vertex
+
+  friend value_type get(const Soup_vertex_map&, const key_type v) { return std::size_t(v); }
+  friend const std::vector<std::size_t>* vertex_names(const Soup_vertex_map& map)
+  { return map.names; }
+};
+
+// Invariant after `read()`: face i is triangle i. Vertices are in the order of the caller's
+// indices. If the faces around a vertex form several fans, the further ones have vertices of their
+// own, after all others. The points only make all vertices differ.
 class Soup_surface
 {
 public:
@@ -53,8 +69,11 @@ public:
   template <typename TriangleRange, typename EdgeRange>
   std::optional<Refusal> read(const TriangleRange& triangles, const EdgeRange& feature_edges)
   {
-    if(auto refusal = read_triangles(triangles))
+    std::vector<std::size_t> corners;
+    if(auto refusal = read_triangles(triangles, corners))
       return refusal;
+    const Used_vertices used(std::move(corners));
+    number_vertices(used);
     std::optional<Soup_edges<Soup::Triangle> > edges;
     Vertex_changes changes;
     try {
@@ -63,16 +82,19 @@ public:
       return Refusal(Outcome::NOT_MANIFOLD, refusal.message());
     }
     const auto vertices = add_vertices(m_soup.points, changes, m_mesh, m_mesh.points());
+    for(const std::size_t v : changes.file_vertices)
+      m_names.push_back(m_soup.vertex_names[v]);
     const auto uv = m_mesh.add_property_map<Halfedge, Point_2>("h:uv").first;
     const std::vector<Halfedge> halfedges = add_triangles(m_soup, vertices, m_mesh, uv);
     for(std::size_t c = 0; c < halfedges.size(); ++c) // from corner c to the next
       m_corner[m_mesh.prev(halfedges[c])] = c;
-    return read_features(feature_edges, *edges, halfedges);
+    return read_features(feature_edges, used, *edges, halfedges);
   }
 
   const Mesh& mesh() const { return m_mesh; }
   const Corner_map& corner() const { return m_corner; } // per halfedge, except on the border
   const Edge_map& is_feature() const { return m_is_feature; }
+  Soup_vertex_map vertex_index() const { return {&m_names}; }
 
 private:
   using Soup = Corner_soup<double, double>;
@@ -83,11 +105,12 @@ private:
     return {Outcome::INVALID_ARGUMENT, message};
   }
 
+  // \param corners receives the caller's index of each corner
   template <typename TriangleRange>
-  std::optional<Refusal> read_triangles(const TriangleRange& triangles)
+  std::optional<Refusal> read_triangles(const TriangleRange& triangles,
+                                        std::vector<std::size_t>& corners)
   {
     constexpr std::int64_t largest = (std::int64_t(1) << 31) - 2;
-    std::size_t number_of_vertices = 0;
     for(const auto& triangle : triangles) {
       const std::string face = "face " + std::to_string(m_soup.triangles.size());
       Soup::Triangle t{};
@@ -100,7 +123,7 @@ private:
         if(size < 3)
           t.vertices[size] = Soup_index(v);
         ++size;
-        number_of_vertices = (std::max)(number_of_vertices, std::size_t(v) + 1);
+        corners.push_back(std::size_t(v));
       }
       if(size != 3)
         return Refusal(Outcome::NOT_TRIANGULAR, face + " has " + std::to_string(size) +
@@ -110,15 +133,22 @@ private:
         return invalid(face + " has a vertex twice; remove it first");
       m_soup.triangles.push_back(t);
     }
-    m_soup.uvs.resize(1); // the caller's map has those that count
-    m_soup.points.resize(number_of_vertices);
-    for(std::size_t v = 0; v < number_of_vertices; ++v)
-      m_soup.points[v] = {double(v), 0, 0};
     return std::nullopt;
   }
 
+  void number_vertices(const Used_vertices& used)
+  {
+    for(Soup::Triangle& triangle : m_soup.triangles)
+      for(Soup_index& v : triangle.vertices)
+        v = used.number(v);
+    m_soup.vertex_names = used.names();
+    for(std::size_t v = 0; v < used.names().size(); ++v)
+      m_soup.points.push_back({double(v), 0, 0});
+    m_soup.uvs.resize(1); // the caller's map has the coordinates
+  }
+
   template <typename EdgeRange>
-  std::optional<Refusal> read_features(const EdgeRange& feature_edges,
+  std::optional<Refusal> read_features(const EdgeRange& feature_edges, const Used_vertices& used,
                                        const Soup_edges<Soup::Triangle>& edges,
                                        const std::vector<Halfedge>& halfedges)
   {
@@ -128,7 +158,8 @@ private:
           return invalid("feature_edges: an edge has not 2 vertices");
         const auto u = static_cast<std::int64_t>(*std::begin(edge));
         const auto v = static_cast<std::int64_t>(*std::next(std::begin(edge)));
-        const Side_index side = edges.find(std::size_t(u), std::size_t(v));
+        const Side_index side = edges.find(used.number(std::size_t(u)),
+                                           used.number(std::size_t(v)));
         if(side == Soup_edges<Soup::Triangle>::no_side)
           return invalid("feature_edges: there is no edge between the vertices " +
                          std::to_string(u) + " and " + std::to_string(v));
@@ -138,6 +169,7 @@ private:
   }
 
   Soup m_soup;
+  std::vector<std::size_t> m_names; // per vertex: the caller's index
   Mesh m_mesh;
   Corner_map m_corner = m_mesh.add_property_map<Halfedge, std::size_t>("h:corner").first;
   Edge_map m_is_feature = m_mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;

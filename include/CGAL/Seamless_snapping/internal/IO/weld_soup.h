@@ -122,7 +122,7 @@ Soup_edges<typename Soup::Triangle> connect_soup(const bool weld, Soup& soup,
                                                  Vertex_changes& changes)
 {
   using Edges = Soup_edges<typename Soup::Triangle>;
-  Edges edges(soup.triangles);
+  Edges edges(soup.triangles, soup.vertex_names);
   edges.check_manifold();
   const Coinciding_sides coinciding = find_coinciding_sides(soup, edges.border_sides());
   changes.number_of_coinciding_border_edges = coinciding.number;
@@ -132,7 +132,7 @@ Soup_edges<typename Soup::Triangle> connect_soup(const bool weld, Soup& soup,
   if(number_of_seams > 0) {
     welded = welded_vertices(soup, coinciding.seams);
     replace_vertices(welded, soup);
-    edges = Edges(soup.triangles);
+    edges = Edges(soup.triangles, soup.vertex_names);
     edges.check_manifold("once welded, ");
     changes.number_of_welded_edges = number_of_seams;
     changes.number_of_coinciding_border_edges -= 2 * number_of_seams;

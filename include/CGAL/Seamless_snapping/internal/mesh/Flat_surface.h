@@ -45,7 +45,7 @@ public:
   Flat_surface(const Surface& input, const IndexMap& index,
                std::vector<typename Surface::Halfedge>& originals)
     : m_number_of_vertices(input.number_of_vertices()), m_format(input.format()),
-      m_epsilon(input.epsilon())
+      m_epsilon(input.epsilon()), m_names(input.names())
   {
     using Original = typename Surface::Halfedge;
     const auto add = [&](const Original h) {
@@ -106,6 +106,7 @@ public:
 
   std::size_t vertex(const Halfedge h) const { return m_vertex[std::size_t(h)]; }
   std::size_t source(const Halfedge h) const { return vertex(opposite(h)); }
+  const std::vector<std::size_t>* names() const { return m_names; }
 
   const Uv& uv(const Halfedge h) const { return m_uv[std::size_t(h)]; }
   const std::vector<Uv>& all_uv() const { return m_uv; }
@@ -126,6 +127,7 @@ private:
   std::size_t m_number_of_vertices;
   Number_format m_format;
   double m_epsilon;
+  const std::vector<std::size_t>* m_names; // of the input
   std::vector<Uv> m_uv;               // per corner
   std::vector<Halfedge> m_opposite;   // per halfedge
   std::vector<std::size_t> m_vertex;  // per halfedge: the index in the input

@@ -146,6 +146,11 @@ bool is_border_in(const Graph& graph, const Halfedge h) { return is_border(h, gr
 // For what needs none.
 struct No_indices { };
 
+// The names of vertices in messages; none if these are their indices. Index maps with names have an
+// overload.
+template <typename VertexIndexMap>
+const std::vector<std::size_t>* vertex_names(const VertexIndexMap&) { return nullptr; }
+
 // As a graph, halfedges have faces or are on the border; a halfedge stands for the corner of its
 // face at its target, too. It refers to the mesh.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename VertexIndexMap>
@@ -186,6 +191,7 @@ public:
   std::size_t vertex(const Halfedge h) const
   { return std::size_t(get(m_vertex_indices, target(h, m_tmesh))); }
   std::size_t source(const Halfedge h) const { return vertex(opposite(h)); }
+  const std::vector<std::size_t>* names() const { return vertex_names(m_vertex_indices); }
 
   // The coordinates of the corner of a halfedge.
   Uv uv(const Halfedge h) const { return get_uv(m_uv_map, h); }
@@ -281,10 +287,17 @@ bool has_border_at_target(const Surface& surface, const typename Surface::Halfed
 
 // For messages.
 template <typename Surface>
+std::string vertex_name(const Surface& surface, const typename Surface::Halfedge h)
+{
+  const std::size_t v = surface.vertex(h);
+  return std::to_string(surface.names() == nullptr ? v : (*surface.names())[v]);
+}
+
+template <typename Surface>
 std::string edge_name(const Surface& surface, const typename Surface::Halfedge h)
 {
-  return "the edge between vertices " + std::to_string(surface.source(h)) + " and " +
-         std::to_string(surface.vertex(h));
+  return "the edge between vertices " + vertex_name(surface, surface.opposite(h)) + " and " +
+         vertex_name(surface, h);
 }
 
 } // namespace internal

@@ -89,7 +89,7 @@ std::optional<Refusal> find_bad_face(const Surface& surface)
         refusal = Refusal(Outcome::NOT_FINITE,
                           "face " + std::to_string(index) + " has a coordinate that is NaN, "
                           "infinite, or beyond 1e300 at vertex " +
-                          std::to_string(surface.vertex(h)) +
+                          vertex_name(surface, h) +
                           "; all corners need finite coordinates");
       h = surface.next(h);
     } while(h != first);

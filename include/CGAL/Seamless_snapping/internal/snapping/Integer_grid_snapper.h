@@ -142,7 +142,7 @@ private:
       const Uv& u = m_surface.uv(h);
       if((std::max)(std::abs(u[0]), std::abs(u[1])) > largest_grid_coordinate)
         return Refusal(Outcome::NOT_REPRESENTABLE,
-                       "a coordinate of vertex " + std::to_string(m_surface.vertex(h)) +
+                       "a coordinate of vertex " + vertex_name(m_surface, h) +
                          " is too large: beyond 2^46, where units can't be counted safely; move or "
                          "shrink the map");
     }

@@ -56,7 +56,7 @@ std::string name_of_rounding(const Rounding<Group>& rounding, const Surface& sur
   }
   const auto corner = cuts.corners[rounding.index].front();
   return std::string(has_border_at_target(surface, corner) ? "the border" : "the cone") +
-         " at vertex " + std::to_string(surface.vertex(corner));
+         " at vertex " + vertex_name(surface, corner);
 }
 
 // What a row stands for.
