@@ -15,7 +15,8 @@ set(volumes Seamless_snapping/internal/volume/volume_snappers)
 set(layouts Isocurves_and_layouts/internal/layout/make_layout)
 set(quads Quad_remeshing/internal/quantization/quantize_surface
   Quad_remeshing/internal/quad_remesh)
-set(hexahedra Hexahedral_meshing/internal/hexahedra/extract)
+set(hexahedra Hexahedral_meshing/internal/hexahedra/extract
+  Hexahedral_meshing/internal/shape/move_vertices)
 
 if(NOT TARGET Seamless_snapping_compiled)
   set(Seamless_snapping_compiled_SOURCES "")

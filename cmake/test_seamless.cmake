@@ -1747,6 +1747,45 @@ expect("no VTK file" text MATCHES "^# vtk DataFile Version 3.0\n")
 seamless(0 hexes volume.hexex hexes.ovm --number 500)
 file(READ "${WORK_DIR}/hexes.ovm" text)
 expect("no OVM file" text MATCHES "^OVM ASCII\nVertices\n")
+# other programs read the files and count the same, where they are installed
+seamless(0 hexes grid.hexex hexes.vtk)
+find_program(GMSH gmsh)
+find_program(MESHIO_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+set(failure 1)
+if(MESHIO_PYTHON)
+  execute_process(COMMAND "${MESHIO_PYTHON}" -c "import meshio" RESULT_VARIABLE failure
+    OUTPUT_QUIET ERROR_QUIET)
+endif()
+if(failure OR NOT GMSH)
+  message("skipped, because they are not installed: Gmsh and meshio count the hexahedra of files")
+else()
+  file(READ "${WORK_DIR}/hexes.mesh" text)
+  foreach(kind IN ITEMS Edges:1:line Quadrilaterals:3:quad Hexahedra:5:hexahedron)
+    string(REPLACE ":" ";" kind "${kind}")
+    list(GET kind 0 word)
+    list(GET kind 1 type)
+    list(GET kind 2 name)
+    expect("no ${word}" text MATCHES "\n${word}\n([0-9]+)\n")
+    set(number ${CMAKE_MATCH_1})
+    foreach(suffix IN ITEMS mesh vtk)
+      execute_process(COMMAND "${GMSH}" hexes.${suffix} -0 -format msh2 -o hexes.msh
+        WORKING_DIRECTORY "${WORK_DIR}" OUTPUT_QUIET ERROR_QUIET)
+      file(READ "${WORK_DIR}/hexes.msh" elements)
+      string(REGEX REPLACE "^.*Elements\n" "" elements "${elements}")
+      string(REGEX MATCHALL "\n[0-9]+ ${type} [^\n]+" elements "${elements}")
+      list(LENGTH elements found)
+      expect("Gmsh finds ${found} ${word} in the .${suffix} file, not ${number}"
+        found EQUAL number)
+      execute_process(COMMAND "${MESHIO_PYTHON}" -c
+        "import meshio; m = meshio.read('hexes.${suffix}'); \
+print(sum(len(c.data) for c in m.cells if c.type == '${name}'))"
+        WORKING_DIRECTORY "${WORK_DIR}" OUTPUT_VARIABLE found ERROR_QUIET
+        OUTPUT_STRIP_TRAILING_WHITESPACE)
+      expect("meshio finds ${found} ${word} in the .${suffix} file, not ${number}"
+        found EQUAL number)
+    endforeach()
+  endforeach()
+endif()
 seamless(1 hexes volume.hexex new.mesh --report hexes.json)
 expect_message("${err}" "ask for a number of hexahedra by --number")
 file(READ "${WORK_DIR}/hexes.json" json)

@@ -59,8 +59,8 @@ struct Hexahedra_options
     options.add("ignore-features", ignore_features,
                 "do not ask the features of the file to lie on the grid");
     options.add("moving-rounds", "R", rounds, whole_numbers(0, 1e6),
-                "the largest number of rounds in which vertices inside move, to make hexahedra "
-                "positive (default: 20)");
+                "the largest number of rounds in which vertices move, to make hexahedra positive "
+                "(default: 20)");
     options.add("picture", "FILE", picture, "write a picture of the mesh, cut open, as .svg");
     options.add("report", "R.json", report, "write all figures to a file");
     options.add_alias("svg", "picture");
@@ -146,6 +146,11 @@ nlohmann::json json_of(const HM::Hexahedron_shapes& shapes)
           {"nonpositive_hexahedra", shapes.nonpositive_hexahedra}};
 }
 
+std::int32_t largest(const std::vector<std::int32_t>& numbers)
+{
+  return numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end());
+}
+
 nlohmann::json json_of(const HM::Hexahedral_meshing_report& report,
                        const HM::Hexahedral_mesh& mesh)
 {
@@ -160,8 +165,8 @@ nlohmann::json json_of(const HM::Hexahedral_meshing_report& report,
           {"boundary_quadrilaterals", report.number_of_boundary_quadrilaterals},
           {"double_edges", report.number_of_double_edges},
           {"irregular_edges", irregular},
-          {"patches", mesh.patches.empty()
-                        ? 0 : *std::max_element(mesh.patches.begin(), mesh.patches.end())},
+          {"patches", largest(mesh.patches)},
+          {"curves", largest(mesh.curves)},
           {"grid_scale", report.grid_scale},
           {"attempts", report.number_of_attempts},
           {"reason_for_more", report.reason_for_more},

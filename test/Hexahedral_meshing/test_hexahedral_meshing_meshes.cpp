@@ -102,31 +102,48 @@ void test_shapes()
                 .mean_scaled_jacobian, 1.);
 }
 
-// Inner vertices of the tetrahedra far away from where they should be: hexahedra turn over.
+// A vertex of the tetrahedra far away from where it should be, inside or in a face: hexahedra turn
+// over. Vertices of the hexahedra move, but stay in their faces and edges.
 void test_moves()
 {
   std::vector<volume_generator::Lattice_point> low;
   for(int i = 0; i < 8; ++i)
     low.push_back({{i % 2 * 2, i / 2 % 2 * 2, i / 4 * 2}});
-  Integer_map map = cubes(low, 2);
-  for(Point& p : map.points)
-    if(p == Point{{2, 2, 2}})
-      p = {{3.6, 3.5, 3.7}};
-  Hexahedral_mesh plain, moved;
-  const auto before = make_mesh(map, plain, Meshing::parameters::number_of_iterations(0));
-  const auto after = make_mesh(map, moved);
-  CHECK(bool(before) && bool(after));
-  CHECK(before.shapes.nonpositive_hexahedra == nonpositive(plain) && !nonpositive(plain).empty());
-  CHECK(after.shapes_before.nonpositive_hexahedra == nonpositive(plain));
-  CHECK_EQUAL(after.shapes.nonpositive_hexahedra.size(), std::size_t(0));
-  CHECK(nonpositive(moved).empty());
-  CHECK(plain.hexahedra == moved.hexahedra);
-  std::set<int> on_boundary;
-  for(const auto& q : moved.quadrilaterals)
-    on_boundary.insert(q.begin(), q.end());
-  for(const int v : on_boundary)
-    CHECK(plain.points[std::size_t(v)] == moved.points[std::size_t(v)]);
-  std::cout << nonpositive(plain).size() << " hexahedra made positive" << std::endl;
+  const std::pair<Point, Point> moved_vertices[] = {{{{2, 2, 2}}, {{3.6, 3.5, 3.7}}},
+                                                    {{{2, 2, 0}}, {{3.6, 3.7, 0}}}};
+  for(const auto& [from, to] : moved_vertices) {
+    Integer_map map = cubes(low, 2);
+    for(Point& p : map.points)
+      if(p == from)
+        p = to;
+    Hexahedral_mesh plain, moved;
+    const auto before = make_mesh(map, plain, Meshing::parameters::number_of_iterations(0));
+    const auto after = make_mesh(map, moved);
+    CHECK(bool(before) && bool(after));
+    CHECK(before.shapes.nonpositive_hexahedra == nonpositive(plain) && !nonpositive(plain).empty());
+    CHECK(after.shapes_before.nonpositive_hexahedra == nonpositive(plain));
+    CHECK_EQUAL(after.shapes.nonpositive_hexahedra.size(), std::size_t(0));
+    CHECK(nonpositive(moved).empty());
+    CHECK(plain.hexahedra == moved.hexahedra);
+    std::size_t in_faces = 0, in_edges = 0; // vertices that moved
+    for(std::size_t v = 0; v < plain.points.size(); ++v) {
+      const Point &p = plain.points[v], &q = moved.points[v];
+      int faces = 0;
+      for(std::size_t c = 0; c < 3; ++c)
+        if(p[c] == 0 || p[c] == 4) {
+          ++faces;
+          CHECK(std::abs(p[c] - q[c]) < 1e-12);
+        } else {
+          CHECK(q[c] > 0 && q[c] < 4);
+        }
+      in_faces += std::size_t(faces == 1 && p != q);
+      in_edges += std::size_t(faces == 2 && p != q);
+      CHECK(faces < 3 || p == q);
+    }
+    CHECK(in_faces > 0 && in_edges > 0);
+    std::cout << nonpositive(plain).size() << " hexahedra made positive, " << in_faces
+              << " vertices moved in faces and " << in_edges << " in edges" << std::endl;
+  }
 }
 
 // Of an L of three cubes: its eight faces, and their edges.
@@ -138,6 +155,17 @@ void test_patches()
   CHECK_EQUAL(mesh.hexahedra.size(), std::size_t(24));
   CHECK_EQUAL(mesh.quadrilaterals.size(), std::size_t(4 * 14));
   CHECK_EQUAL(mesh.edges.size(), std::size_t(2 * (2 * 8 + 6)));
+  std::map<int, std::set<std::array<double, 4> > > lines; // of curves
+  for(std::size_t i = 0; i < mesh.edges.size(); ++i) {
+    const Point &p = mesh.points[std::size_t(mesh.edges[i][0])],
+                &q = mesh.points[std::size_t(mesh.edges[i][1])];
+    for(std::size_t c = 0; c < 3; ++c)
+      if(p[c] != q[c])
+        lines[mesh.curves[i]].insert({{double(c), p[(c + 1) % 3], p[(c + 2) % 3], 0}});
+  }
+  CHECK_EQUAL(lines.size(), std::size_t(18));
+  for(const auto& [curve, all] : lines)
+    CHECK_EQUAL(all.size(), std::size_t(1));
   std::map<int, std::set<std::pair<int, double> > > planes; // of patches
   double volume = 0;
   for(std::size_t i = 0; i < mesh.quadrilaterals.size(); ++i) {
@@ -159,6 +187,170 @@ void test_patches()
   CHECK_EQUAL(volume, 3 * 24.); // quadrilaterals look outside
 }
 
+using Features = std::vector<std::vector<int> >;
+
+// Facets of cells whose vertices have c-th coordinate x, or edges that have two coordinates in
+// common with a point; each is listed once, and its vertices in any order.
+Features facets_in_plane(const Integer_map& map, const std::size_t c, const double x)
+{
+  std::set<std::set<int> > found;
+  for(const auto& cell : map.map.cells) {
+    std::set<int> facet;
+    for(const int v : cell)
+      if(map.points[std::size_t(v)][c] == x)
+        facet.insert(v);
+    if(facet.size() == 3)
+      found.insert(facet);
+  }
+  Features result;
+  for(const auto& facet : found)
+    result.emplace_back(facet.rbegin(), facet.rend());
+  return result;
+}
+
+Features edges_on_line(const Integer_map& map, const std::size_t c, const Point& p)
+{
+  std::set<std::set<int> > found;
+  for(const auto& cell : map.map.cells) {
+    std::set<int> edge;
+    for(const int v : cell) {
+      const Point& q = map.points[std::size_t(v)];
+      if(q[(c + 1) % 3] == p[(c + 1) % 3] && q[(c + 2) % 3] == p[(c + 2) % 3])
+        edge.insert(v);
+    }
+    if(edge.size() == 2)
+      found.insert(edge);
+  }
+  Features result;
+  for(const auto& edge : found)
+    result.emplace_back(edge.rbegin(), edge.rend());
+  return result;
+}
+
+template <typename Element>
+Point middle(const Hexahedral_mesh& mesh, const Element& element)
+{
+  Point result{};
+  for(const int v : element)
+    for(std::size_t c = 0; c < 3; ++c)
+      result[c] += mesh.points[std::size_t(v)][c] / double(element.size());
+  return result;
+}
+
+// Whether a point lies in the triangle or segment of some vertices, all in an axis-parallel plane.
+bool contains(const Integer_map& map, const std::vector<int>& element, const Point& p)
+{
+  double whole = 0, parts = 0; // areas, or lengths
+  const auto size = [](const Point& a, const Point& b, const Point& c) {
+    Point n;
+    for(std::size_t k = 0; k < 3; ++k)
+      n[k] = (b[(k + 1) % 3] - a[(k + 1) % 3]) * (c[(k + 2) % 3] - a[(k + 2) % 3]) -
+             (b[(k + 2) % 3] - a[(k + 2) % 3]) * (c[(k + 1) % 3] - a[(k + 1) % 3]);
+    return std::hypot(n[0], n[1], n[2]);
+  };
+  const auto at = [&](const std::size_t k) { return map.points[std::size_t(element[k])]; };
+  if(element.size() == 2) {
+    const auto length = [](const Point& a, const Point& b)
+    { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); };
+    whole = length(at(0), at(1));
+    parts = length(at(0), p) + length(at(1), p);
+  } else {
+    whole = size(at(0), at(1), at(2));
+    parts = size(p, at(1), at(2)) + size(at(0), p, at(2)) + size(at(0), at(1), p);
+  }
+  return std::abs(whole - parts) < 1e-12;
+}
+
+// A vertex of the tetrahedra lies far away in a sheet that a line goes through: no vertex leaves
+// the sheet, and the vertex at the line stays.
+void test_moves_on_features()
+{
+  std::vector<volume_generator::Lattice_point> low;
+  for(int i = 0; i < 8; ++i)
+    low.push_back({{i % 2 * 2, i / 2 % 2 * 2, i / 4 * 2}});
+  Integer_map map = cubes(low, 2);
+  const Features facets = facets_in_plane(map, 0, 2), edges = edges_on_line(map, 0, {{0, 2, 2}});
+  for(Point& p : map.points)
+    if(p == Point{{2, 1, 1}})
+      p = {{2, 2.7, 2.6}};
+  const auto np = Meshing::parameters::feature_facets(facets).feature_edges(edges);
+  Hexahedral_mesh plain, moved;
+  CHECK(bool(make_mesh(map, plain, np.number_of_iterations(0))));
+  CHECK(bool(make_mesh(map, moved, np)));
+  std::size_t on_sheet = 0;
+  for(std::size_t v = 0; v < plain.points.size(); ++v) {
+    const Point &p = plain.points[v], &q = moved.points[v];
+    if(p[0] == 2)
+      CHECK(std::abs(q[0] - 2) < 1e-12);
+    if(p == Point{{2, 2, 2}})
+      CHECK(p == q);
+    on_sheet += std::size_t(p[0] == 2 && p != q);
+  }
+  CHECK(!nonpositive(plain).empty() && nonpositive(moved).empty());
+  CHECK(on_sheet > 0);
+  std::cout << nonpositive(plain).size() << " hexahedra made positive at a sheet" << std::endl;
+}
+
+// A block of eight cubes and 64 hexahedra with a sheet inside, and lines inside and on a face.
+void test_features()
+{
+  std::vector<volume_generator::Lattice_point> low;
+  for(int i = 0; i < 8; ++i)
+    low.push_back({{i % 2 * 2, i / 2 % 2 * 2, i / 4 * 2}});
+  const Integer_map map = cubes(low, 2);
+  const Features facets = facets_in_plane(map, 0, 2);
+  Features edges = edges_on_line(map, 2, {{4, 2, 0}}), inside = edges_on_line(map, 1, {{1, 0, 3}});
+  CHECK(!facets.empty() && edges.size() >= 2 && inside.empty());
+  inside = edges_on_line(map, 0, {{0, 2, 2}});
+  const std::size_t number_on_face = edges.size();
+  edges.insert(edges.end(), inside.begin(), inside.end());
+  Hexahedral_mesh mesh;
+  const auto report = make_mesh(
+    map, mesh, Meshing::parameters::feature_facets(facets).feature_edges(edges));
+  CHECK_IN(report.message, bool(report));
+  CHECK_EQUAL(report.number_of_boundary_quadrilaterals, std::size_t(96));
+  CHECK_EQUAL(mesh.quadrilaterals.size(), std::size_t(96 + 16));
+  CHECK(mesh.feature_facets.size() == 112 && mesh.patches.size() == 112);
+  std::map<int, std::set<std::pair<int, double> > > planes; // of patches
+  for(std::size_t i = 0; i < mesh.quadrilaterals.size(); ++i) {
+    const Point p = middle(mesh, mesh.quadrilaterals[i]);
+    CHECK_EQUAL(mesh.feature_facets[i] >= 0, p[0] == 2);
+    if(mesh.feature_facets[i] >= 0)
+      CHECK(contains(map, facets[std::size_t(mesh.feature_facets[i])], p));
+    for(std::size_t c = 0; c < 3; ++c)
+      if(p[c] == 0 || p[c] == 4 || (c == 0 && p[c] == 2))
+        planes[mesh.patches[i]].emplace(int(c), p[c]);
+  }
+  CHECK_EQUAL(planes.size(), std::size_t(6 + 4 + 1 + 1)); // two sides are divided, and one more
+  for(const auto& [patch, all] : planes)
+    CHECK_EQUAL(all.size(), std::size_t(1));
+
+  std::size_t on_face = 0, in_space = 0, others = 0;
+  CHECK(mesh.feature_edges.size() == mesh.edges.size() && mesh.curves.size() == mesh.edges.size());
+  for(std::size_t i = 0; i < mesh.edges.size(); ++i) {
+    const int feature = mesh.feature_edges[i];
+    CHECK(mesh.edges[i][0] < mesh.edges[i][1]);
+    if(feature >= 0)
+      CHECK(contains(map, edges[std::size_t(feature)], middle(mesh, mesh.edges[i])));
+    ++(feature < 0 ? others : std::size_t(feature) < number_on_face ? on_face : in_space);
+  }
+  CHECK_EQUAL(on_face, std::size_t(4));
+  CHECK_EQUAL(in_space, std::size_t(4));
+  CHECK_EQUAL(others, std::size_t(12 * 4 + 16));
+  // The sheet divides four edges of the block, the line on a face two, and the line in space the
+  // line on a face.
+  std::map<int, std::set<int> > directions; // of curves
+  for(std::size_t i = 0; i < mesh.edges.size(); ++i)
+    for(std::size_t c = 0; c < 3; ++c)
+      if(mesh.points[std::size_t(mesh.edges[i][0])][c] !=
+         mesh.points[std::size_t(mesh.edges[i][1])][c])
+        directions[mesh.curves[i]].insert(int(c));
+  CHECK_EQUAL(directions.size(), std::size_t(12 + 4 + 2 + 4 + 2 + 1));
+  for(const auto& [curve, all] : directions)
+    CHECK_EQUAL(all.size(), std::size_t(1));
+  std::cout << directions.size() << " curves and " << planes.size() << " patches" << std::endl;
+}
+
 // Reads words until `keyword`, then a number.
 std::size_t number_after(std::istream& is, const std::string& keyword)
 {
@@ -178,6 +370,21 @@ void check_points(std::istream& is, const Hexahedral_mesh& mesh, const bool has_
     if(has_reference)
       is >> reference;
     CHECK(p == q && reference == 0);
+  }
+}
+
+// In the format of VTK: the number of vertices first.
+template <typename Elements>
+void check_cells(std::istream& is, const Elements& elements)
+{
+  for(const auto& element : elements) {
+    std::size_t v = 0;
+    is >> v;
+    CHECK_EQUAL(v, element.size());
+    for(const int w : element) {
+      is >> v;
+      CHECK_EQUAL(v, std::size_t(w));
+    }
   }
 }
 
@@ -205,14 +412,17 @@ void test_files()
   Hexahedral_mesh mesh;
   CHECK(bool(make_mesh(map, mesh)));
   const auto one = [](std::size_t) { return 1; };
+  const auto curve = [&](const std::size_t i) { return mesh.curves[i]; };
+  const auto patch = [&](const std::size_t i) { return mesh.patches[i]; };
+  CHECK(std::set<int>(mesh.curves.begin(), mesh.curves.end()).size() > 1);
   std::stringstream medit, vtk, ovm;
   CHECK(bool(Meshing::IO::write_MEDIT(medit, mesh)));
   CHECK_EQUAL(number_after(medit, "Vertices"), mesh.points.size());
   check_points(medit, mesh, true);
   CHECK_EQUAL(number_after(medit, "Edges"), mesh.edges.size());
-  check_elements(medit, mesh.edges, one);
+  check_elements(medit, mesh.edges, curve);
   CHECK_EQUAL(number_after(medit, "Quadrilaterals"), mesh.quadrilaterals.size());
-  check_elements(medit, mesh.quadrilaterals, [&](const std::size_t i) { return mesh.patches[i]; });
+  check_elements(medit, mesh.quadrilaterals, patch);
   CHECK_EQUAL(number_after(medit, "Hexahedra"), mesh.hexahedra.size());
   check_elements(medit, mesh.hexahedra, one);
   std::string word;
@@ -222,20 +432,31 @@ void test_files()
   CHECK_EQUAL(number_after(vtk, "POINTS"), mesh.points.size());
   vtk >> word;
   check_points(vtk, mesh, false);
-  CHECK_EQUAL(number_after(vtk, "CELLS"), mesh.hexahedra.size());
+  const std::size_t number =
+    mesh.hexahedra.size() + mesh.quadrilaterals.size() + mesh.edges.size();
+  CHECK_EQUAL(number_after(vtk, "CELLS"), number);
   std::size_t size = 0;
   vtk >> size;
-  CHECK_EQUAL(size, 9 * mesh.hexahedra.size());
-  for(const auto& h : mesh.hexahedra) {
-    int v = 0;
-    vtk >> v;
-    CHECK_EQUAL(v, 8);
-    for(const int w : h) {
-      vtk >> v;
-      CHECK_EQUAL(v, w);
-    }
-  }
-  CHECK_EQUAL(number_after(vtk, "CELL_TYPES"), mesh.hexahedra.size());
+  CHECK_EQUAL(size, 9 * mesh.hexahedra.size() + 5 * mesh.quadrilaterals.size() +
+                      3 * mesh.edges.size());
+  check_cells(vtk, mesh.hexahedra);
+  check_cells(vtk, mesh.quadrilaterals);
+  check_cells(vtk, mesh.edges);
+  CHECK_EQUAL(number_after(vtk, "CELL_TYPES"), number);
+  std::vector<int> types(number), references(number);
+  for(int& type : types)
+    vtk >> type;
+  CHECK_EQUAL(std::size_t(std::count(types.begin(), types.end(), 12)), mesh.hexahedra.size());
+  CHECK_EQUAL(std::size_t(std::count(types.begin(), types.end(), 9)), mesh.quadrilaterals.size());
+  CHECK_EQUAL(types.back(), 3);
+  CHECK_EQUAL(number_after(vtk, "CELL_DATA"), number);
+  while(vtk >> word && word != "default") { }
+  for(int& reference : references)
+    vtk >> reference;
+  CHECK(bool(vtk) && references.front() == 1);
+  CHECK(std::equal(mesh.patches.begin(), mesh.patches.end(),
+                   references.begin() + std::ptrdiff_t(mesh.hexahedra.size())));
+  CHECK(std::equal(mesh.curves.rbegin(), mesh.curves.rend(), references.rbegin()));
 
   // each halfface belongs to one hexahedron or none; those of one close it, and look outside
   CHECK(bool(Meshing::IO::write_OVM(ovm, mesh)));
@@ -285,6 +506,26 @@ void test_files()
     CHECK(std::abs(volume - 6. / 27) < 1e-12);
   }
   CHECK(bool(ovm));
+  std::size_t with_curve = 0, with_patch = 0;
+  while(ovm >> word && word != "\"curve\"") { }
+  for(const auto& e : edges) {
+    int c = 0;
+    ovm >> c;
+    with_curve += std::size_t(c != 0);
+    const std::array<int, 2> key{{(std::min)(e[0], e[1]), (std::max)(e[0], e[1])}};
+    const auto found = std::find(mesh.edges.begin(), mesh.edges.end(), key);
+    CHECK_EQUAL(c, found == mesh.edges.end()
+                     ? 0 : mesh.curves[std::size_t(found - mesh.edges.begin())]);
+  }
+  while(ovm >> word && word != "\"patch\"") { }
+  for(std::size_t i = 0; i < faces.size(); ++i) {
+    int p = 0;
+    ovm >> p;
+    with_patch += std::size_t(p != 0);
+  }
+  CHECK(bool(ovm));
+  CHECK_EQUAL(with_curve, mesh.edges.size());
+  CHECK_EQUAL(with_patch, mesh.quadrilaterals.size());
   mesh.points[3][1] = std::numeric_limits<double>::quiet_NaN();
   std::ostringstream nothing;
   CHECK(!Meshing::IO::write_MEDIT(nothing, mesh) && nothing.str().empty());
@@ -330,6 +571,8 @@ int main()
   test_shapes();
   test_moves();
   test_patches();
+  test_features();
+  test_moves_on_features();
   test_files();
   test_numbers();
   return report_checks();

@@ -112,55 +112,44 @@ void put_locations(const Hexahedral_soup& soup, const Flat_volume& volume, const
   }
 }
 
-// `extract_hexahedra()` with a plain chain, which may have more than it reads.
+// The input and the result of an extraction in plain arrays.
+struct Extraction
+{
+  Flat_volume volume;
+  std::vector<Uvw> points; // per vertex of the volume
+  Hexahedral_soup soup;
+};
+
+// \param plain a plain chain, which may have more than this reads
 template <typename ConcurrencyTag, typename PointRange, typename TetrahedronRange,
-          typename CornerUVWMap, typename HexahedronPointRange, typename HexahedronRange,
-          typename Parameters>
-Hexahedra_report
-extract_with_plain_parameters(const PointRange& points, const TetrahedronRange& tetrahedra,
-                              CornerUVWMap uvw_map, HexahedronPointRange& hexahedron_points,
-                              HexahedronRange& hexahedra, const Parameters& plain)
+          typename CornerUVWMap, typename Parameters>
+Hexahedra_report extract_soup(const PointRange& points, const TetrahedronRange& tetrahedra,
+                              CornerUVWMap uvw_map, Extraction_options options,
+                              const Parameters& plain, Extraction& extraction)
 {
 #ifndef CGAL_LINKED_WITH_TBB
   static_assert(!std::is_same<ConcurrencyTag, CGAL::Parallel_tag>::value,
                 "Parallel_tag is enabled but TBB is unavailable.");
 #endif
-  const Protect_exact_arithmetic protect;
-  if(const auto refusal = inexact_arithmetic())
-    return refused<Hexahedra_report>(*refusal);
-  using CGAL::parameters::get_parameter;
-  const auto location_map = get_parameter(plain, CGAL::internal_np::vertex_location);
-  constexpr bool keeps_locations = is_given<decltype(location_map)>;
+  options.is_parallel = !std::is_same<ConcurrencyTag, CGAL::Sequential_tag>::value;
   Hexahedra_report report;
-  Flat_volume volume;
-  std::vector<Uvw> flat_points;
-  Hexahedral_soup soup;
-  const Extraction_options options{
-    chosen(plain, CGAL::internal_np::maximum_number, default_maximum_number_of_hexahedra),
-    !std::is_same<ConcurrencyTag, CGAL::Sequential_tag>::value, keeps_locations};
+  Flat_volume& volume = extraction.volume;
   std::optional<Refusal> refusal;
   {
     Tetrahedra cells;
     using Aligned =
-      CGAL::Named_function_parameters<bool, CGAL::internal_np::align_boundary_t,
-                                      std::decay_t<decltype(plain)> >;
+      CGAL::Named_function_parameters<bool, CGAL::internal_np::align_boundary_t, Parameters>;
     refusal = read_volume(tetrahedra, uvw_map, Aligned(true, plain), cells, volume, {},
                           Cells_to_read::ALL);
   }
   if(!refusal)
-    refusal = read_points(points, volume, flat_points);
+    refusal = read_points(points, volume, extraction.points);
   if(!refusal) {
     read_coordinates(uvw_map, volume);
-    refusal = extract(volume, flat_points, options, soup, report);
+    refusal = extract(volume, extraction.points, options, extraction.soup, report);
   }
-  if(refusal) {
+  if(refusal)
     refuse(report, *refusal);
-    return report;
-  }
-  const std::size_t first = hexahedron_points.size();
-  append_hexahedra(soup, hexahedron_points, hexahedra);
-  if constexpr(keeps_locations)
-    put_locations(soup, volume, first, location_map);
   return report;
 }
 
@@ -274,13 +263,32 @@ Hexahedra_report extract_hexahedra(const PointRange& points, const TetrahedronRa
                                    HexahedronRange& hexahedra,
                                    const NamedParameters& np = CGAL::parameters::default_values())
 {
+  const internal::Protect_exact_arithmetic protect;
+  if(const auto refusal = internal::inexact_arithmetic())
+    return internal::refused<Hexahedra_report>(*refusal);
+  using CGAL::parameters::get_parameter;
   constexpr auto read =
     internal::named<CGAL::internal_np::cell_neighbors, CGAL::internal_np::feature_edges,
                     CGAL::internal_np::feature_facets, CGAL::internal_np::maximum_number,
                     CGAL::internal_np::verbose, CGAL::internal_np::vertex_location,
                     CGAL::internal_np::visitor>;
-  return internal::extract_with_plain_parameters<ConcurrencyTag>(
-    points, tetrahedra, uvw_map, hexahedron_points, hexahedra, internal::strip(np, read));
+  const auto& plain = internal::strip(np, read);
+  const auto location_map = get_parameter(plain, CGAL::internal_np::vertex_location);
+  constexpr bool keeps_locations = internal::is_given<decltype(location_map)>;
+  const internal::Extraction_options options{
+    internal::chosen(plain, CGAL::internal_np::maximum_number,
+                     internal::default_maximum_number_of_hexahedra),
+    false, keeps_locations, false};
+  internal::Extraction extraction;
+  const Hexahedra_report report = internal::extract_soup<ConcurrencyTag>(
+    points, tetrahedra, uvw_map, options, plain, extraction);
+  if(!report)
+    return report;
+  const std::size_t first = hexahedron_points.size();
+  internal::append_hexahedra(extraction.soup, hexahedron_points, hexahedra);
+  if constexpr(keeps_locations)
+    internal::put_locations(extraction.soup, extraction.volume, first, location_map);
+  return report;
 }
 
 } // namespace Hexahedral_meshing

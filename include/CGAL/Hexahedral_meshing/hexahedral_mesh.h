@@ -18,8 +18,7 @@
 // From an approximately seamless map of a tetrahedral mesh to hexahedra, in one call.
 
 #include <CGAL/Hexahedral_meshing/extract_hexahedra.h>
-#include <CGAL/Hexahedral_meshing/internal/hexahedra/boundary_patches.h>
-#include <CGAL/Hexahedral_meshing/internal/shape/Vertex_moves.h>
+#include <CGAL/Hexahedral_meshing/internal/shape/move_vertices.h>
 #include <CGAL/Hexahedral_meshing/measure_hexahedra.h>
 #include <CGAL/Hexahedral_meshing/types/Hexahedral_mesh.h>
 #include <CGAL/Hexahedral_meshing/types/Hexahedral_meshing_report.h>
@@ -31,8 +30,12 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -51,6 +54,86 @@ auto with(const NP& np, const Tag, const Value& value)
   return CGAL::Named_function_parameters<Value, Tag, NP>(value, np);
 }
 
+// Each element's place in the caller's range, by the names of its vertices.
+template <std::size_t size, typename Range>
+std::map<std::array<std::int64_t, size>, std::int32_t> places_of(const Range& range)
+{
+  std::map<std::array<std::int64_t, size>, std::int32_t> result;
+  if constexpr(is_given<Range>) {
+    std::int32_t place = 0;
+    for(const auto& element : range) {
+      std::array<std::int64_t, size> key;
+      std::transform(std::begin(element), std::end(element), key.begin(),
+                     [](const auto v) { return static_cast<std::int64_t>(v); });
+      std::sort(key.begin(), key.end());
+      result.emplace(key, place++);
+    }
+  }
+  return result;
+}
+
+template <std::size_t size>
+std::int32_t place_of(const Flat_volume& volume, std::array<Corner_index, size> corners,
+                      const std::map<std::array<std::int64_t, size>, std::int32_t>& places)
+{
+  std::array<std::int64_t, size> key;
+  for(std::size_t i = 0; i < size; ++i)
+    key[i] = volume.vertex_names[std::size_t(volume.vertex(corners[i]))];
+  std::sort(key.begin(), key.end());
+  const auto found = places.find(key);
+  return found != places.end() ? found->second : -1;
+}
+
+template <typename NamedParameters>
+Hexahedral_mesh mesh_of(Extraction& extraction, const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter_reference;
+  Hexahedral_mesh result;
+  Hexahedral_soup& soup = extraction.soup;
+  result.points.swap(soup.points);
+  result.hexahedra.swap(soup.hexahedra);
+  result.quadrilaterals.swap(soup.features.quadrilaterals);
+  result.edges.swap(soup.features.edges);
+  const auto facets =
+    places_of<3>(get_parameter_reference(np, CGAL::internal_np::feature_facets));
+  for(const std::int32_t i : soup.features.facets) {
+    result.patches.push_back(soup.complex.patches[std::size_t(i)]);
+    result.feature_facets.push_back(place_of(
+      extraction.volume,
+      corners_of_facet(extraction.volume.aligned_facets[std::size_t(i)]), facets));
+  }
+  const auto edges = places_of<2>(get_parameter_reference(np, CGAL::internal_np::feature_edges));
+  for(const std::int32_t i : soup.features.lines) {
+    const Flat_volume::Aligned_edge& line = soup.complex.lines[std::size_t(i)];
+    result.curves.push_back(soup.complex.curves[std::size_t(i)]);
+    result.feature_edges.push_back(
+      place_of(extraction.volume, std::array<Corner_index, 2>{{line.a, line.b}}, edges));
+  }
+  return result;
+}
+
+// The facets and lines of the input.
+inline Feature_geometry geometry_of(const Extraction& extraction)
+{
+  Feature_geometry result;
+  const Flat_volume& volume = extraction.volume;
+  const auto point = [&](const Corner_index i)
+  { return extraction.points[std::size_t(volume.vertex(i))]; };
+  const auto set = [](auto& sets, const std::int32_t number) -> auto& {
+    sets.resize((std::max)(sets.size(), std::size_t(number)));
+    return sets[std::size_t(number - 1)];
+  };
+  const Feature_complex& complex = extraction.soup.complex;
+  for(std::size_t i = 0; i < complex.patches.size(); ++i) {
+    const auto c = corners_of_facet(volume.aligned_facets[i]);
+    set(result.patches, complex.patches[i]).push_back({{point(c[0]), point(c[1]), point(c[2])}});
+  }
+  for(std::size_t i = 0; i < complex.lines.size(); ++i)
+    set(result.curves, complex.curves[i])
+      .push_back({{point(complex.lines[i].a), point(complex.lines[i].b)}});
+  return result;
+}
+
 // The integers for a number of hexahedra: tries one scale after the other.
 template <typename ConcurrencyTag, typename PointRange, typename TetrahedronRange,
           typename NamedParameters>
@@ -60,11 +143,11 @@ class Integer_search
 
 public:
   Integer_search(const PointRange& points, const TetrahedronRange& tetrahedra,
-                 std::vector<Point_3> uvw, const NamedParameters& np, Hexahedral_mesh& mesh,
+                 std::vector<Point_3> uvw, const NamedParameters& np, Extraction& extraction,
                  Hexahedral_meshing_report& report)
-    : m_points(points), m_tetrahedra(tetrahedra), m_uvw(std::move(uvw)), m_np(np), m_mesh(mesh),
-      m_report(report), m_target(chosen(np, CGAL::internal_np::target_number_of_hexahedra,
-                                        std::size_t(0))),
+    : m_points(points), m_tetrahedra(tetrahedra), m_uvw(std::move(uvw)), m_np(np),
+      m_extraction(extraction), m_report(report),
+      m_target(chosen(np, CGAL::internal_np::target_number_of_hexahedra, std::size_t(0))),
       m_most(chosen(np, CGAL::internal_np::maximum_number,
                     m_target > 0 ? most_per_target * m_target
                                  : default_maximum_number_of_hexahedra))
@@ -133,12 +216,10 @@ private:
       report.status = Outcome::NOT_POSITIVE; // the message tells which, and why
     if(!report)
       return;
-    Hexahedral_mesh mesh;
-    static_cast<Hexahedra_report&>(m_report) = extract_with_plain_parameters<ConcurrencyTag>(
-      m_points, m_tetrahedra, uvw_map, mesh.points, mesh.hexahedra,
-      with(m_np, np::maximum_number, (std::max)(m_most, m_target)));
-    if(m_report)
-      m_mesh = std::move(mesh);
+    m_extraction = Extraction();
+    static_cast<Hexahedra_report&>(m_report) = extract_soup<ConcurrencyTag>(
+      m_points, m_tetrahedra, uvw_map, {(std::max)(m_most, m_target), false, false, true}, m_np,
+      m_extraction);
   }
 
   static constexpr double any_distance = 1e9;
@@ -147,7 +228,7 @@ private:
   const TetrahedronRange& m_tetrahedra;
   const std::vector<Point_3> m_uvw;
   const NamedParameters& m_np;
-  Hexahedral_mesh& m_mesh;
+  Extraction& m_extraction;
   Hexahedral_meshing_report& m_report;
   const std::size_t m_target, m_most;
 };
@@ -160,11 +241,14 @@ private:
 
 makes a mesh of hexahedra of a tetrahedral mesh with a seamless map: makes the map an integer-grid
 map by `snap_volume_to_seamless()`, extracts hexahedra by `extract_hexahedra()`, and moves vertices
-inside so that hexahedra which are not positive in space become so.
+so that hexahedra which are not positive in space become so.
 
-On success, all that `extract_hexahedra()` guarantees holds. Whether all hexahedra are positive is
-in `Hexahedral_meshing_report::shapes`: vertices of the boundary do not move, so that some hexahedra
-may remain as they are. A hexahedron that is positive stays so.
+On success, all that `extract_hexahedra()` guarantees holds. The mesh has the boundary and the
+features of the input: quadrilaterals on the boundary and on feature facets, and edges on feature
+edges and where the boundary is sharp. Vertices move inside, along the boundary of the tetrahedra,
+along feature facets, and along the curves of these edges; vertices at the ends of curves stay.
+Whether all hexahedra are positive then is in `Hexahedral_meshing_report::shapes`. A corner of a
+hexahedron that is positive stays so.
 
 \tparam ConcurrencyTag as for `extract_hexahedra()`
 \tparam PointRange as for `extract_hexahedra()`
@@ -236,19 +320,19 @@ hexahedral_mesh(const PointRange& points, const TetrahedronRange& tetrahedra, Co
     const internal::Uvw u = internal::get_uvw(uvw_map, i);
     uvw.emplace_back(u[0], u[1], u[2]);
   }
-  Hexahedral_mesh result;
+  internal::Extraction extraction;
   Hexahedral_meshing_report report;
   internal::Integer_search<ConcurrencyTag, PointRange, TetrahedronRange, Plain>(
-    points, tetrahedra, std::move(uvw), plain, result, report).run();
+    points, tetrahedra, std::move(uvw), plain, extraction, report).run();
   if(!report)
     return report;
-  internal::find_boundary_patches(result);
+  Hexahedral_mesh result = internal::mesh_of(extraction, plain);
   report.shapes_before = measure_hexahedra(result.points, result.hexahedra);
   report.shapes = report.shapes_before;
   const std::size_t rounds =
     internal::chosen(plain, CGAL::internal_np::number_of_iterations, std::size_t(20));
   if(!report.shapes.nonpositive_hexahedra.empty() && rounds > 0) {
-    internal::Vertex_moves(result).run(rounds);
+    internal::move_vertices(result, internal::geometry_of(extraction), rounds);
     report.shapes = measure_hexahedra(result.points, result.hexahedra);
   }
   mesh = std::move(result);

@@ -29,8 +29,9 @@ namespace IO {
 /*!
 \ingroup PkgHexahedralMeshingIO
 
-\brief writes hexahedra, the quadrilaterals of the boundary with the numbers of their patches, and
-sharp edges to a stream or a file in the MEDIT format (`.mesh`), which Gmsh reads as well.
+\brief writes hexahedra, quadrilaterals with the numbers of their patches, and edges with the
+numbers of their curves, as references, to a stream or a file in the MEDIT format (`.mesh`), which
+Gmsh reads as well.
 
 Numbers have as many digits as it takes to read them back bit for bit.
 
@@ -58,7 +59,8 @@ File_status write_MEDIT(Target&& output, const Hexahedral_mesh& mesh)
 /*!
 \ingroup PkgHexahedralMeshingIO
 
-\brief writes the hexahedra to a stream or a file in the legacy format of VTK (`.vtk`), as text.
+\brief writes hexahedra, quadrilaterals, and edges to a stream or a file in the legacy format of
+VTK (`.vtk`), as text. The numbers of patches and curves are the data `reference` of cells.
 
 Parameters, result, precondition, and complexity are as for `write_MEDIT()`.
 */
@@ -74,7 +76,8 @@ File_status write_VTK(Target&& output, const Hexahedral_mesh& mesh)
 \ingroup PkgHexahedralMeshingIO
 
 \brief writes the hexahedra to a stream or a file in the format of OpenVolumeMesh (`.ovm`), as text:
-with all edges and faces.
+with all edges and faces. The properties `patch` of faces and `curve` of edges are the numbers of
+patches and curves, or zero.
 
 Parameters, result, and precondition are as for `write_MEDIT()`.
 

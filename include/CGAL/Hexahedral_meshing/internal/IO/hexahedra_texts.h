@@ -52,41 +52,57 @@ void append_indices(const Element& element, const std::int64_t first, const std:
   text += end;
 }
 
+// The reference of element i in files.
+inline std::int32_t reference(const std::vector<std::int32_t>& references, const std::size_t i)
+{
+  return i < references.size() ? references[i] : 1;
+}
+
 inline std::string MEDIT_text(const Hexahedral_mesh& mesh)
 {
   std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n" +
                      std::to_string(mesh.points.size()) + "\n";
   append_points(mesh, " 0\n", text);
-  const auto append = [&](const char* const name, const auto& elements, const auto& reference) {
+  const auto append = [&](const char* const name, const auto& elements,
+                          const std::vector<std::int32_t>& references) {
     if(elements.empty())
       return;
     text += name + ("\n" + std::to_string(elements.size())) + "\n";
     for(std::size_t i = 0; i < elements.size(); ++i)
-      append_indices(elements[i], 1, " " + std::to_string(reference(i)) + "\n", text);
+      append_indices(elements[i], 1, " " + std::to_string(reference(references, i)) + "\n", text);
   };
-  const auto one = [](std::size_t) { return 1; };
-  append("Edges", mesh.edges, one);
-  append("Quadrilaterals", mesh.quadrilaterals, [&](const std::size_t i)
-         { return i < mesh.patches.size() ? mesh.patches[i] : 1; });
-  append("Hexahedra", mesh.hexahedra, one);
+  append("Edges", mesh.edges, mesh.curves);
+  append("Quadrilaterals", mesh.quadrilaterals, mesh.patches);
+  append("Hexahedra", mesh.hexahedra, {});
   return text + "End\n";
 }
 
+// Hexahedra come first, then quadrilaterals and edges; their references are data of cells.
 inline std::string VTK_text(const Hexahedral_mesh& mesh)
 {
-  const std::string number = std::to_string(mesh.hexahedra.size());
+  std::string cells, types, references;
+  std::size_t number = 0, size = 0;
+  const auto append = [&](const auto& elements, const char* const type,
+                          const std::vector<std::int32_t>& of_elements) {
+    for(std::size_t i = 0; i < elements.size(); ++i) {
+      cells += std::to_string(elements[i].size()) + " ";
+      append_indices(elements[i], 0, "\n", cells);
+      types += type;
+      references += std::to_string(reference(of_elements, i)) + "\n";
+      size += 1 + elements[i].size();
+    }
+    number += elements.size();
+  };
+  append(mesh.hexahedra, "12\n", {});
+  append(mesh.quadrilaterals, "9\n", mesh.patches);
+  append(mesh.edges, "3\n", mesh.curves);
   std::string text = "# vtk DataFile Version 3.0\nhexahedra\nASCII\nDATASET UNSTRUCTURED_GRID\n"
                      "POINTS " + std::to_string(mesh.points.size()) + " double\n";
   append_points(mesh, "\n", text);
-  text += "CELLS " + number + " " + std::to_string(9 * mesh.hexahedra.size()) + "\n";
-  for(const auto& hexahedron : mesh.hexahedra) {
-    text += "8 ";
-    append_indices(hexahedron, 0, "\n", text);
-  }
-  text += "CELL_TYPES " + number + "\n";
-  for(std::size_t i = 0; i < mesh.hexahedra.size(); ++i)
-    text += "12\n";
-  return text;
+  const std::string of_cells = std::to_string(number);
+  return text + "CELLS " + of_cells + " " + std::to_string(size) + "\n" + cells + "CELL_TYPES " +
+         of_cells + "\n" + types + "CELL_DATA " + of_cells +
+         "\nSCALARS reference int 1\nLOOKUP_TABLE default\n" + references;
 }
 
 // Faces and edges, named by sorted vertices; each face is listed as the first hexahedron that has
@@ -135,7 +151,10 @@ public:
       text += "6 ";
       append_indices(halffaces, 0, "\n", text);
     }
-    return text;
+    return text + property("EProp int \"curve\"", m_mesh.edges, m_mesh.curves, m_edges.size(),
+                           [&](const auto& e) { return halfedge(e[0], e[1]); }) +
+           property("FProp int \"patch\"", m_mesh.quadrilaterals, m_mesh.patches, m_faces.size(),
+                    [&](const auto& q) { return 2 * (find(q) - m_faces.begin()); });
   }
 
 private:
@@ -165,11 +184,31 @@ private:
     return 2 * (found - m_edges.begin()) + (a > b);
   }
 
+  std::vector<std::pair<Face, std::size_t> >::const_iterator find(const Face& face) const
+  {
+    return std::lower_bound(m_faces.begin(), m_faces.end(),
+                            std::pair<Face, std::size_t>(sorted(face), 0));
+  }
+
   std::int64_t halfface(const std::size_t i, const std::size_t f) const
   {
-    const std::pair<Face, std::size_t> key{sorted(face_of(i, f)), 0};
-    const auto found = std::lower_bound(m_faces.begin(), m_faces.end(), key);
+    const auto found = find(face_of(i, f));
     return 2 * (found - m_faces.begin()) + (found->second != 6 * i + f);
+  }
+
+  // The references of some edges or faces; 0 for all others.
+  template <typename Elements, typename Half>
+  static std::string property(const std::string& name, const Elements& elements,
+                              const std::vector<std::int32_t>& references,
+                              const std::size_t size, const Half& half)
+  {
+    std::vector<std::int32_t> values(size, 0);
+    for(std::size_t i = 0; i < elements.size(); ++i)
+      values[std::size_t(half(elements[i]) / 2)] = reference(references, i);
+    std::string text = name + "\n";
+    for(const std::int32_t x : values)
+      text += std::to_string(x) + "\n";
+    return text;
   }
 
   const Hexahedral_mesh& m_mesh;

@@ -62,7 +62,6 @@ struct Hexahedra_topology
   std::int32_t bad_hexahedron = -1; // has a vertex twice, or a quadrilateral that two others have
   std::vector<Hexahedron_facet> boundary; // in the order of hexahedra
   std::vector<Edge_of_hexahedra> boundary_edges; // sorted
-  std::vector<Edge_of_hexahedra> smooth_edges;   // those with two hexahedra, sorted
   bool is_boundary_closed = true; // each edge is in an even number of its quadrilaterals
   std::size_t number_of_edges = 0;         // pairs of vertices
   std::size_t number_of_quadrilaterals = 0;
@@ -106,8 +105,6 @@ public:
     for(const auto& [edge, number] : irregular)
       if(!std::binary_search(result.boundary_edges.begin(), result.boundary_edges.end(), edge))
         ++result.irregular_edges[number];
-      else if(number == 2)
-        result.smooth_edges.push_back(edge);
     return result;
   }
 

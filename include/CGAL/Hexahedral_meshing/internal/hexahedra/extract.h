@@ -17,6 +17,8 @@
 
 // Hexahedra in plain arrays: what is the same for all types of callers.
 
+#include <CGAL/Hexahedral_meshing/internal/hexahedra/Feature_complex.h>
+#include <CGAL/Hexahedral_meshing/internal/hexahedra/Feature_elements.h>
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Hexahedra_topology.h>
 #include <CGAL/Hexahedral_meshing/types/Hexahedra_report.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
@@ -37,7 +39,7 @@ namespace internal {
 struct Extraction_options
 {
   std::size_t maximum_number; // of hexahedra
-  bool is_parallel, keeps_locations;
+  bool is_parallel, keeps_locations, keeps_features;
 };
 
 struct Hexahedral_soup
@@ -47,6 +49,9 @@ struct Hexahedral_soup
   // per vertex, if they are kept: a cell of the volume, and barycentric coordinates there
   std::vector<std::int32_t> cells;
   std::vector<std::array<double, 4> > weights;
+  // if they are kept
+  Feature_complex complex;
+  Feature_elements features;
 };
 
 // Extracts, and fills in the numbers of the report. Returns why there is nothing, if so.

@@ -108,6 +108,11 @@ public:
       if(!find_hexahedra(map, vertices))
         return error_of_ours("a walk from a center to a corner has no end");
       find_points(map, vertices);
+      if(m_options.keeps_features) {
+        m_soup.complex = Feature_complex_finder(m_volume).run();
+        m_soup.features =
+          Feature_element_finder(map, vertices).run(m_soup.complex.lines, m_is_mirrored);
+      }
     }
     return conclude(conditions);
   }
@@ -272,7 +277,24 @@ private:
     if(!topology.is_boundary_closed ||
        !is_about(conditions.border_area(), topology.boundary.size()))
       return error_of_ours("the boundary of the hexahedra is not that of the map");
+    if(m_options.keeps_features && !are_features_complete())
+      return error_of_ours("the boundary or a feature is not found in the hexahedra");
     return check_edges(conditions, topology);
+  }
+
+  bool are_features_complete() const
+  {
+    const Feature_elements& features = m_soup.features;
+    std::size_t number = 0; // of quadrilaterals on the boundary
+    for(const std::int32_t i : features.facets) {
+      const Corner_index facet = m_volume.aligned_facets[std::size_t(i)];
+      number += std::size_t(m_volume.opposite[std::size_t(facet)] == no_facet);
+    }
+    const auto is_found = [](const auto& element)
+    { return *std::min_element(element.begin(), element.end()) >= 0; };
+    return number == m_report.number_of_boundary_quadrilaterals &&
+           std::all_of(features.quadrilaterals.begin(), features.quadrilaterals.end(), is_found) &&
+           std::all_of(features.edges.begin(), features.edges.end(), is_found);
   }
 
   // Edges with the same ends are one pair of vertices: then the others are fewer.

@@ -38,14 +38,20 @@ constexpr int tetrahedron_of_corner[8][4] = {{0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 
                                              {3, 0, 2, 7}, {4, 7, 5, 0}, {5, 4, 6, 1},
                                              {6, 5, 7, 2}, {7, 6, 4, 3}};
 
-inline bool is_positive(const Hexahedron_points& p)
+// A bit for each corner that is positive, exactly.
+inline unsigned int positive_corners(const Hexahedron_points& p)
 {
-  return std::all_of(std::begin(tetrahedron_of_corner), std::end(tetrahedron_of_corner),
-                     [&](const int (&t)[4]) {
-    return orientation({{p[std::size_t(t[0])], p[std::size_t(t[1])], p[std::size_t(t[2])],
-                         p[std::size_t(t[3])]}}) == CGAL::POSITIVE;
-  });
+  unsigned int result = 0;
+  for(std::size_t k = 0; k < 8; ++k) {
+    const auto& t = tetrahedron_of_corner[k];
+    if(orientation({{p[std::size_t(t[0])], p[std::size_t(t[1])], p[std::size_t(t[2])],
+                     p[std::size_t(t[3])]}}) == CGAL::POSITIVE)
+      result |= 1u << k;
+  }
+  return result;
 }
+
+inline bool is_positive(const Hexahedron_points& p) { return positive_corners(p) == 0xff; }
 
 // The determinant of three vectors, made unit ones; 0 if one has no length.
 inline double scaled_determinant(const Uvw& a, const Uvw& b, const Uvw& c)
