@@ -1642,8 +1642,9 @@ void test_spent_work()
     *options.quantization.work = internal::Work(most);
     Mesh quads;
     const auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:feature").first;
-    const QR::Remeshing_report report = internal::remesh(
-      internal::surface_reader(mesh, plain_np), std::nullopt, options, quads, is_feature);
+    internal::Marked_surface input = internal::read_surface(mesh, plain_np);
+    const QR::Remeshing_report report =
+      internal::remesh(input, std::nullopt, options, quads, is_feature);
     left = options.quantization.work->left();
     CHECK_IN(report.message, (left == 0) == (report.message.find(internal::words_for_spent_work) !=
                                              std::string::npos));
@@ -1926,7 +1927,7 @@ void test_locations()
 template <typename NamedParameters>
 internal::Surface_to_remesh surface_to_remesh(const Mesh& mesh, const NamedParameters& np)
 {
-  return internal::surface_to_remesh(mesh, internal::strip(np), std::nullopt);
+  return {internal::read_surface(mesh, internal::strip(np)), std::nullopt};
 }
 
 internal::Surface_to_remesh surface_to_remesh(const Mesh& mesh)

@@ -101,14 +101,11 @@ std::optional<Mirror> mirror_of([[maybe_unused]] const NamedParameters& np)
 }
 
 // Makes the quads of a surface, as large as the input, in all attempts.
+// \param input loses the closed parts that the options leave out
 // \param is_feature of the edges of `quads`
-Remeshing_report remesh(const Surface_to_remesh::Reader& read, const std::optional<Mirror>& mirror,
+Remeshing_report remesh(Marked_surface& input, const std::optional<Mirror>& mirror,
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature);
-
-// A reader without the closed parts that the options leave out.
-Surface_to_remesh::Reader without_small_parts(const Surface_to_remesh::Reader& read,
-                                              const Remeshing_options& options);
 
 // Gives the quads of a quantization a better shape.
 Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantization,
@@ -138,7 +135,7 @@ auto walls(const Quantization& quantization, const TriangleMesh& tmesh)
   return result;
 }
 
-// Writes the quads that `make_quads(quads, is_feature, options)` makes.
+// Writes the quads that `make_quads(input, quads, is_feature, options)` makes.
 // \param has_wanted_number whether the options tell how many quads are wanted
 template <typename TriangleMesh, typename QuadMesh, typename NamedParameters1,
           typename NamedParameters2, typename MakeQuads>
@@ -155,25 +152,22 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   Mesh result;
   const auto is_feature = result.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
   Remeshing_options options = remeshing_options(tmesh, np1, std::is_same<FT, float>::value);
+  Marked_surface input = read_surface(tmesh, np1);
   const auto area_of = [&](const std::optional<Mirror>& mirror)
-    { return area_in_squares(surface_to_remesh(tmesh, np1, mirror)); };
+    { return area_in_squares(Surface_to_remesh(input, mirror)); };
   double growth = 1; // of the area: a mirror replaces what is below by the image of what is above
   if(const auto mirror = mirror_of(np1))
     growth = 2 * area_of(mirror) / area_of(std::nullopt);
   if(has_wanted_length<NamedParameters1>)
     options.quantization.number_of_quads *= growth;
-  Remeshing_report report = make_quads(result, is_feature, options);
+  Remeshing_report report = make_quads(input, result, is_feature, options);
   if(!report)
     return report;
   const double number_wanted = has_wanted_number ? options.number_wanted() / growth : 0;
   const Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>
     writer(tmesh, np1, np2);
-  if(!has_wanted_number)
-    options.area_threshold = 0;
-  const Surface_to_remesh input(without_small_parts(surface_reader(tmesh, np1), options),
-                                std::nullopt);
-  const Nearest_faces nearest =
-    measure_quads(input, number_wanted, result, writer.located(), report);
+  const Nearest_faces nearest = measure_quads(Surface_to_remesh(input, std::nullopt),
+                                              number_wanted, result, writer.located(), report);
   writer.write(result, is_feature, nearest, quads);
   return report;
 }
@@ -435,10 +429,9 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
 {
   using namespace internal;
   const auto& parameters = strip(np1, remeshing_parameters);
-  const auto make_quads = [&](auto& result, const auto& is_feature, const auto& options) {
-    return remesh(surface_reader(tmesh, parameters), mirror_of(parameters), options, result,
-                  is_feature);
-  };
+  const auto make_quads = [&](Marked_surface& input, auto& result, const auto& is_feature,
+                              const auto& options)
+  { return remesh(input, mirror_of(parameters), options, result, is_feature); };
   return write_quads(tmesh, quads, parameters, strip(np2, quad_mesh_parameters), true, make_quads);
 }
 
@@ -487,7 +480,8 @@ Remeshing_report quad_remesh(const Quantization& quantization, const TriangleMes
     named<CGAL::internal_np::number_of_relaxation_steps, CGAL::internal_np::verbose,
           CGAL::internal_np::vertex_point, CGAL::internal_np::visitor>;
   const auto& parameters = strip(np1, read);
-  const auto make_quads = [&](auto& result, const auto& is_feature, const auto& options) {
+  const auto make_quads = [&](const Marked_surface&, auto& result, const auto& is_feature,
+                              const auto& options) {
     const Extraction_report extracted =
       extract_quad_mesh(quantization, tmesh, result,
                         CGAL::parameters::vertex_point_map(
@@ -496,8 +490,9 @@ Remeshing_report quad_remesh(const Quantization& quantization, const TriangleMes
                         CGAL::parameters::edge_is_constrained_map(is_feature));
     if(!extracted)
       return refused<Remeshing_report>(extracted.status, extracted.message);
-    Surface_to_remesh surface = surface_to_remesh(
-      tmesh, parameters.edge_is_constrained_map(walls(quantization, tmesh)), std::nullopt);
+    const auto features = walls(quantization, tmesh);
+    Surface_to_remesh surface(
+      read_surface(tmesh, parameters.edge_is_constrained_map(features)), std::nullopt);
     return smooth(surface, quantization, options, result, is_feature);
   };
   return write_quads(tmesh, quads, parameters, strip(np2, quad_mesh_parameters), false, make_quads);

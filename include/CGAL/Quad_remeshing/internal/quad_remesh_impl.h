@@ -46,6 +46,7 @@
 #include <boost/iterator/function_output_iterator.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -526,9 +527,10 @@ inline void replace_quads(const Surface_to_remesh::Mesh& others,
 }
 
 // Makes quads once more, by `make(quads, is_feature)`, which take the place of those that there are
-// if `is_better(report, best)`. The steps of both are reported, in their order.
+// if `is_better(report, best)`; returns whether they do. The steps of both are reported, in their
+// order.
 template <typename Make, typename Is_better>
-void make_others(const Make& make, const Is_better& is_better, Surface_to_remesh::Mesh& quads,
+bool make_others(const Make& make, const Is_better& is_better, Surface_to_remesh::Mesh& quads,
                  const Surface_to_remesh::Feature_map& is_feature, Remeshing_report& best)
 {
   using Mesh = Surface_to_remesh::Mesh;
@@ -537,11 +539,13 @@ void make_others(const Make& make, const Is_better& is_better, Surface_to_remesh
   Remeshing_report report = make(mesh, is_kept);
   std::vector<std::pair<std::string, double> > steps = best.step_times;
   steps.insert(steps.end(), report.step_times.begin(), report.step_times.end());
-  if(is_better(report, best)) {
+  const bool replaces = is_better(report, best);
+  if(replaces) {
     replace_quads(mesh, is_kept, quads, is_feature);
     best = std::move(report);
   }
   best.step_times = std::move(steps);
+  return replaces;
 }
 
 // By which the median edge differs from its wanted length: less matters less than shape, and more
@@ -638,153 +642,155 @@ inline Remeshing_report remesh_surface(Surface_to_remesh& surface,
   return best;
 }
 
-// Makes quads of copies of a surface; the best ones stay.
-class Attempts
+// The search for quads: the first result is made of a surface with room between its features and
+// with straight borders. What the best result lacks tells which moves are tried, in the order of
+// their table. The best quads stay.
+class Quad_search
 {
+  enum class Room { NONE, IN_LONG_TRIANGLES, IN_ALL_TRIANGLES }; // by dividing these
+
+  // What may mend the flaws of the best result.
+  struct Move
+  {
+    const char* choice;                // in words
+    bool (Quad_search::*mends)() const; // whether the best result asks for it
+    Room room;
+    bool has_straight_border;
+    std::optional<double> number;      // of quads, as a part of those of the first; else as wanted
+    bool (Quad_search::*may_take)(const Remeshing_report&) const; // even if it is better
+  };
+
+  static constexpr std::array<Move, 7> moves()
+  {
+    using S = Quad_search;
+    const Room room = Room::IN_LONG_TRIANGLES;
+    return {{
+      {"room in all triangles", &S::has_flaws, Room::IN_ALL_TRIANGLES, true, {}, &S::is_any},
+      {"the border as it is", &S::has_flaws_at_border, room, false, {}, &S::has_hardly_more_quads},
+      {"the best of several maps", &S::is_coarse_inverted, room, true, 0., &S::has_fewer_inverted},
+      {"a quarter more quads", &S::has_few_inverted, room, true, 1.25, &S::has_fewer_inverted},
+      {"a half more quads", &S::has_few_inverted, room, true, 1.5, &S::has_fewer_inverted},
+      {"twice as many quads", &S::has_few_inverted, room, true, 2., &S::has_fewer_inverted},
+      {"the input as it is", &S::has_no_quads, Room::NONE, false, {}, &S::is_any}
+    }};
+  }
+
 public:
-  Attempts(const Surface_to_remesh::Reader& read, const std::optional<Mirror>& mirror,
-           const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
-           const Surface_to_remesh::Feature_map& is_feature)
-    : m_read(read), m_mirror(mirror), m_options(options), m_quads(quads), m_is_feature(is_feature)
+  Quad_search(const Marked_surface& input, const std::optional<Mirror>& mirror,
+              const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
+              const Surface_to_remesh::Feature_map& is_feature)
+    : m_input(input), m_mirror(mirror), m_options(options), m_quads(quads),
+      m_is_feature(is_feature)
   { }
 
   Remeshing_report run()
   {
-    Surface_to_remesh surface(m_read, m_mirror);
-    const bool is_refined = surface.refine(true);
+    Surface_to_remesh surface(m_input, m_mirror);
+    m_is_changed = surface.refine(true);
+    m_number_of_faces = surface.mesh().number_of_faces();
     m_best = remesh_surface(surface, m_options, m_quads, m_is_feature);
-    if(has_flaws() && work().is_mostly_left()) {
-      Surface_to_remesh finer(m_read, m_mirror);
-      if(finer.refine(false) && finer.mesh().number_of_faces() > surface.mesh().number_of_faces())
-        try_surface(finer, m_options);
-    }
-    Remeshing_options with_corners = m_options;
-    with_corners.border_tolerance = 0;
-    if(has_flaws_at_border() && work().is_mostly_left())
-      try_refined(with_corners, [most = 1.2 * double(m_best.number_of_quads)]
-                                (const Remeshing_report& r)
-                                { return double(r.number_of_quads) <= most; });
-    add_larger_numbers();
-    if(!m_best && (is_refined || surface.number_of_corners_left_out() > 0) && work().is_left()) {
-      Surface_to_remesh input(m_read, m_mirror);
-      try_surface(input, with_corners);
-    }
+    m_is_changed = m_is_changed || surface.number_of_corners_left_out() > 0;
+    for(const Move& move : moves())
+      if((this->*move.mends)())
+        run(move);
+    if(m_best && !work().is_left())
+      add_note(m_best, words_for_spent_work);
     return m_best;
   }
 
 private:
   const Work& work() const { return *m_options.quantization.work; }
 
-  // Whether more room between features may help.
   bool has_flaws() const
   {
     constexpr double good_shape = 0.95; // a mean scaled Jacobian
-    return !m_best || m_best.number_of_released_edges > 0 ||
-           m_best.number_of_inverted_quads > 0 || m_best.number_of_displaced_vertices > 0 ||
-           m_best.mean_scaled_jacobian < good_shape;
+    return work().is_mostly_left() &&
+           (!m_best || m_best.number_of_released_edges > 0 ||
+            m_best.number_of_inverted_quads > 0 || m_best.number_of_displaced_vertices > 0 ||
+            m_best.mean_scaled_jacobian < good_shape);
   }
 
-  // Whether the border as it is may be better than straight lines for it.
   bool has_flaws_at_border() const
   {
     constexpr double fair_shape = 0.9; // a mean scaled Jacobian
-    return m_best && m_best.number_of_corners_left_out > 0 &&
+    return work().is_mostly_left() && m_best && m_best.number_of_corners_left_out > 0 &&
            (m_best.number_of_inverted_quads > 0 || m_best.number_of_displaced_vertices > 0 ||
             m_best.mean_scaled_jacobian < fair_shape);
   }
 
-  // Whether more quads may have room around cones and between features.
-  bool has_few_inverted_quads() const
+  // More quads may have room around cones and between features.
+  bool has_few_inverted() const
   {
-    constexpr std::size_t few = 2000; // in all
-    return m_best && m_best.number_of_inverted_quads > 0 && m_best.number_of_quads <= few;
+    constexpr std::size_t few = 2000; // quads in all
+    return work().is_left() && m_best && m_best.number_of_inverted_quads > 0 &&
+           m_best.number_of_quads <= few;
   }
 
-  void add_larger_numbers()
-  {
-    const Remeshing_report fewest = m_best;
-    const auto is_mended = [&](const Remeshing_report& r)
-      { return r && r.number_of_inverted_quads < m_best.number_of_inverted_quads; };
-    Remeshing_options options = m_options;
-    options.quantization.is_coarsest = false;
-    std::vector<double> numbers;
-    if(m_options.quantization.is_coarsest)
-      numbers.push_back(1); // which chooses among maps by the shape of their quads
-    for(const double factor : {1.25, 1.5, 2.})
-      numbers.push_back(factor * double(fewest.number_of_quads));
-    for(const double number : numbers)
-      if(has_few_inverted_quads() && work().is_left()) {
-        options.quantization.number_of_quads = number;
-        try_refined(options, is_mended);
-      }
-    if(m_best.number_of_inverted_quads < fewest.number_of_inverted_quads) {
-      m_best.message = fewest.message; // which tells why there are so many
-      add_note(m_best, std::to_string(fewest.number_of_quads) + " quads were found, too, " +
-                       std::to_string(fewest.number_of_inverted_quads) + " of them inverted");
-    }
-    if(fewest && !work().is_left())
-      add_note(m_best, words_for_spent_work);
-  }
+  // For few quads, the map is chosen by their shape; for as few as can be, by their number.
+  bool is_coarse_inverted() const
+  { return m_options.quantization.is_coarsest && has_few_inverted(); }
 
-  template <typename May_take>
-  void try_refined(const Remeshing_options& options, const May_take& may_take)
-  {
-    Surface_to_remesh surface(m_read, m_mirror);
-    surface.refine(true);
-    try_surface(surface, options, may_take);
-  }
+  bool has_no_quads() const { return work().is_left() && !m_best && m_is_changed; }
 
-  void try_surface(Surface_to_remesh& surface, const Remeshing_options& options)
-  { try_surface(surface, options, [](const Remeshing_report&) { return true; }); }
+  bool is_any(const Remeshing_report&) const { return true; }
 
-  // The quads that were made before stay if they are better, or the others not to be taken, or more
+  bool has_hardly_more_quads(const Remeshing_report& r) const
+  { return double(r.number_of_quads) <= 1.2 * double(m_best.number_of_quads); }
+
+  bool has_fewer_inverted(const Remeshing_report& r) const
+  { return r && r.number_of_inverted_quads < m_best.number_of_inverted_quads; }
+
+  // Quads that were made before stay if they are better, or if those that are made now are more
   // where there are to be as few as can be.
-  template <typename May_take>
-  void try_surface(Surface_to_remesh& surface, const Remeshing_options& options,
-                   const May_take& may_take)
+  void run(const Move& move)
   {
+    Surface_to_remesh surface(m_input, m_mirror);
+    if(move.room != Room::NONE)
+      surface.refine(move.room == Room::IN_LONG_TRIANGLES);
+    if(move.room == Room::IN_ALL_TRIANGLES && surface.mesh().number_of_faces() <= m_number_of_faces)
+      return;
+    Remeshing_options options = m_options;
+    if(!move.has_straight_border)
+      options.border_tolerance = 0;
+    if(move.number) {
+      if(!m_fewest)
+        m_fewest = m_best;
+      options.quantization.is_coarsest = false;
+      options.quantization.number_of_quads =
+        (std::max)(1., *move.number * double(m_fewest->number_of_quads));
+    }
+    Progress::tell([&] { return std::string("again, with ") + move.choice; });
     const double unit = m_best && options.quantization.is_coarsest
       ? double(m_best.number_of_quads) : std::numeric_limits<double>::infinity();
     const Is_better is_better(surface, unit);
-    make_others([&](auto& mesh, const auto& is_kept)
-                { return remesh_surface(surface, options, mesh, is_kept); },
-                [&](const Remeshing_report& a, const Remeshing_report& b)
-                { return double(a.number_of_quads) <= unit && may_take(a) && is_better(a, b); },
-                m_quads, m_is_feature, m_best);
+    const auto replaces = [&](const Remeshing_report& a, const Remeshing_report& b)
+    { return double(a.number_of_quads) <= unit && (this->*move.may_take)(a) && is_better(a, b); };
+    const bool is_taken = make_others([&](auto& mesh, const auto& is_kept)
+                                      { return remesh_surface(surface, options, mesh, is_kept); },
+                                      replaces, m_quads, m_is_feature, m_best);
+    if(is_taken && move.number) {
+      m_best.message = m_fewest->message; // which tells why there are so many
+      add_note(m_best, std::to_string(m_fewest->number_of_quads) + " quads were found, too, " +
+                       std::to_string(m_fewest->number_of_inverted_quads) + " of them inverted");
+    }
   }
 
-  const Surface_to_remesh::Reader& m_read;
+  const Marked_surface& m_input;
   const std::optional<Mirror>& m_mirror;
   const Remeshing_options& m_options;
   Surface_to_remesh::Mesh& m_quads;
   Surface_to_remesh::Feature_map m_is_feature;
   Remeshing_report m_best;
+  std::optional<Remeshing_report> m_fewest; // before more quads than wanted are tried
+  std::size_t m_number_of_faces = 0; // of the first surface
+  bool m_is_changed = false; // the first surface is not the input as it is
 };
 
-inline Small_parts small_parts(Marked_surface& surface, const Remeshing_options& options)
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return {surface, options.area_threshold,
-          options.quantization.is_coarsest ? infinity : options.quantization.number_of_quads};
-}
-
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-Surface_to_remesh::Reader without_small_parts(const Surface_to_remesh::Reader& read,
-                                              const Remeshing_options& options)
-{
-  return [=](Marked_surface& surface) {
-    read(surface);
-    small_parts(surface, options).leave_out();
-  };
-}
-
-CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-Remeshing_report remesh(const Surface_to_remesh::Reader& read, const std::optional<Mirror>& mirror,
+Remeshing_report remesh(Marked_surface& input, const std::optional<Mirror>& mirror,
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
 {
-  Marked_surface input;
-  read(input);
   if(const auto h = halfedge_from_far_away(input.mesh)) {
     const auto& p = input.mesh.point(input.mesh.source(*h));
     return refused<Remeshing_report>(
@@ -793,11 +799,14 @@ Remeshing_report remesh(const Surface_to_remesh::Reader& read, const std::option
         short_number(p.x()) + ", " + short_number(p.y()) + ", " + short_number(p.z()) +
         "), which is a million times as far away as nearly all others; move it, or remove it");
   }
-  const Small_parts left_out = small_parts(input, options);
-  const Surface_to_remesh::Reader read_parts = without_small_parts(read, options);
-  Remeshing_report report = Attempts(read_parts, mirror, options, quads, is_feature).run();
-  report.number_of_parts_left_out = left_out.number();
-  report.area_of_parts_left_out = left_out.area();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Small_parts small_parts(input, options.area_threshold,
+                          options.quantization.is_coarsest
+                            ? infinity : options.quantization.number_of_quads);
+  small_parts.leave_out();
+  Remeshing_report report = Quad_search(input, mirror, options, quads, is_feature).run();
+  report.number_of_parts_left_out = small_parts.number();
+  report.area_of_parts_left_out = small_parts.area();
   return report;
 }
 

@@ -72,7 +72,10 @@ struct Marked_surface
   using Sizing_map = Mesh::Property_map<Vertex, double>;
 
   Marked_surface() = default;
-  Marked_surface(const Marked_surface&) = delete; // the maps belong to the mesh
+  // The maps belong to the mesh: those of the copy are found again.
+  Marked_surface(const Marked_surface& other)
+    : mesh(other.mesh), originals(other.originals)
+  { }
   Marked_surface& operator=(const Marked_surface&) = delete;
 
   // An edge that quads follow.

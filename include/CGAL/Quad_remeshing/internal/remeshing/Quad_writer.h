@@ -101,43 +101,37 @@ locate_in_face(const Point& point,
                                      place_of(point))};
 }
 
-// Copies a mesh. Both arguments are to be there as long as it is used.
+// Copies a mesh, with what the named parameters tell of its elements.
 template <typename TriangleMesh, typename NamedParameters>
-Surface_to_remesh::Reader surface_reader(const TriangleMesh& tmesh, const NamedParameters& np)
+Marked_surface read_surface(const TriangleMesh& tmesh, const NamedParameters& np)
 {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
-  using Copy = Surface_to_remesh;
-  return [&](Marked_surface& surface) {
-    Copy::Mesh& copy = surface.mesh;
-    std::vector<std::pair<Halfedge, Copy::Halfedge> > copies;
-    CGAL::copy_face_graph(
-      tmesh, copy,
-      CGAL::parameters::vertex_point_map(
-        chosen(np, CGAL::internal_np::vertex_point,
-               CGAL::get_const_property_map(CGAL::vertex_point, tmesh)))
-        .halfedge_to_halfedge_output_iterator(std::back_inserter(copies)));
-    const auto feature_map =
-      CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
-    const auto direction_map = CGAL::parameters::get_parameter(np, internal_np::face_direction);
-    const auto size_map = CGAL::parameters::get_parameter(np, internal_np::vertex_sizing);
-    for(const auto& [original, h] : copies) {
-      if constexpr(is_given<decltype(feature_map)>)
-        surface.is_feature[copy.edge(h)] = bool(get(feature_map, edge(original, tmesh)));
-      if constexpr(is_given<decltype(direction_map)>)
-        if(!copy.is_border(h) && copy.halfedge(copy.face(h)) == h) {
-          const Place d = place_of(get(direction_map, face(original, tmesh)));
-          surface.directions[copy.face(h)] = {d[0], d[1], d[2]};
-        }
-      if constexpr(is_given<decltype(size_map)>)
-        surface.sizes[copy.target(h)] = CGAL::to_double(get(size_map, target(original, tmesh)));
-    }
-  };
+  Marked_surface surface;
+  Marked_surface::Mesh& copy = surface.mesh;
+  std::vector<std::pair<Halfedge, Marked_surface::Halfedge> > copies;
+  CGAL::copy_face_graph(
+    tmesh, copy,
+    CGAL::parameters::vertex_point_map(
+      chosen(np, CGAL::internal_np::vertex_point,
+             CGAL::get_const_property_map(CGAL::vertex_point, tmesh)))
+      .halfedge_to_halfedge_output_iterator(std::back_inserter(copies)));
+  const auto feature_map =
+    CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
+  const auto direction_map = CGAL::parameters::get_parameter(np, internal_np::face_direction);
+  const auto size_map = CGAL::parameters::get_parameter(np, internal_np::vertex_sizing);
+  for(const auto& [original, h] : copies) {
+    if constexpr(is_given<decltype(feature_map)>)
+      surface.is_feature[copy.edge(h)] = bool(get(feature_map, edge(original, tmesh)));
+    if constexpr(is_given<decltype(direction_map)>)
+      if(!copy.is_border(h) && copy.halfedge(copy.face(h)) == h) {
+        const Place d = place_of(get(direction_map, face(original, tmesh)));
+        surface.directions[copy.face(h)] = {d[0], d[1], d[2]};
+      }
+    if constexpr(is_given<decltype(size_map)>)
+      surface.sizes[copy.target(h)] = CGAL::to_double(get(size_map, target(original, tmesh)));
+  }
+  return surface;
 }
-
-template <typename TriangleMesh, typename NamedParameters>
-Surface_to_remesh surface_to_remesh(const TriangleMesh& tmesh, const NamedParameters& np,
-                                    const std::optional<Mirror>& mirror)
-{ return {surface_reader(tmesh, np), mirror}; }
 
 // Which elements of quads are to be located on the input.
 struct Located_elements

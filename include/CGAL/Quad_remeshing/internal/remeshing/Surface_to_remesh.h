@@ -52,13 +52,11 @@ public:
   using Direction_map = Marked_surface::Direction_map;
   using Sizing_map = Marked_surface::Sizing_map;
 
-  // Fills in all; without originals, these are the faces themselves.
-  using Reader = std::function<void(Marked_surface&)>;
-
+  // \param input without originals, these are the faces themselves
   // \param mirror on whose upper side the surface is to be
-  Surface_to_remesh(const Reader& read, const std::optional<Mirror>& mirror)
+  Surface_to_remesh(const Marked_surface& input, const std::optional<Mirror>& mirror)
+    : m_surface(input)
   {
-    read(m_surface);
     scale();
     scale_sizes();
     if(m_surface.originals.empty())
@@ -70,6 +68,9 @@ public:
       keep_half(m_mirror.emplace(mirror->scaled(-m_exponent)));
     Aligned_triangle_divider(m_surface).run();
   }
+
+  Surface_to_remesh(const Surface_to_remesh&) = delete; // the maps belong to the mesh
+  Surface_to_remesh& operator=(const Surface_to_remesh&) = delete;
 
   // Divides long triangles, and large ones unless these are to stay; returns whether there are any.
   bool refine(const bool has_large_faces)

@@ -86,13 +86,14 @@ public:
     Mesh& mesh = m_surface.mesh;
     if(m_small.empty())
       return;
-    const auto original = mesh.add_property_map<Face, std::size_t>("f:original", 0).first;
+    auto original = mesh.add_property_map<Face, std::size_t>("f:original", 0).first;
     for(const Face f : mesh.faces())
       original[f] = std::size_t(f);
     CGAL::Polygon_mesh_processing::remove_connected_components(mesh, m_small, m_part);
     mesh.collect_garbage();
     for(const Face f : mesh.faces())
       m_surface.originals.push_back(original[f]);
+    mesh.remove_property_map(original);
   }
 
 private:
