@@ -273,6 +273,8 @@ void test_moves_on_features()
   for(Point& p : map.points)
     if(p == Point{{2, 1, 1}})
       p = {{2, 2.7, 2.6}};
+    else if(p == Point{{3, 3, 3}})
+      p = {{2.1, 2.2, 2.1}};
   const auto np = Meshing::parameters::feature_facets(facets).feature_edges(edges);
   Hexahedral_mesh plain, moved;
   CHECK(bool(make_mesh(map, plain, np.number_of_iterations(0))));
@@ -566,6 +568,49 @@ void test_numbers()
   CHECK_EQUAL(many.hexahedra.size(), std::size_t(1000));
 }
 
+// Two arcs with five quadrants each, a unit apart, in blocks of four units: that is less than half a
+// unit at the number which is wanted.
+void test_near_arcs()
+{
+  constexpr int size = 4, distance = 1;
+  volume_generator::Cube_complex complex{
+    "two arcs", {}, [](const int block, const volume_generator::Lattice_point& p)
+                      -> volume_generator::Key {
+      if(block == 5 && p[0] == 0)
+        return {0, 2 * distance + p[1], 0, p[2]};
+      if(block == 5)
+        return {5, p[0], p[1], p[2]};
+      if(p[0] == 0 && p[1] == 0)
+        return {-1, 0, 0, p[2]};
+      if(p[0] == 0 && block == 4 && p[1] > 2 * distance)
+        return {5, p[1] - 2 * distance, 0, p[2]};
+      if(p[0] == 0)
+        return {(block + 1) % 5, p[1], 0, p[2]};
+      return {block, p[0], p[1], p[2]};
+    }};
+  for(int block = 0; block < 5; ++block)
+    volume_generator::add_box(complex, block, size, size, size);
+  volume_generator::add_box(complex, 5, size - distance, size - distance, size);
+  const double volume = 5 * size * size * size + 3 * 3 * size;
+  for(const Charts charts : {Charts::BLOCKS, Charts::CUBES}) {
+    const Integer_map map = integer_maps::Builder(complex, charts, 1, 21).build();
+    Hexahedral_mesh mesh;
+    const std::size_t number = 24;
+    CHECK(std::cbrt(double(number) / volume) * distance < 0.5);
+    const auto report = make_mesh(map, mesh, Meshing::parameters::target_number_of_hexahedra(number)
+                                               .number_of_iterations(0));
+    CHECK_IN(report.message, bool(report));
+    if(charts == Charts::BLOCKS)
+      CHECK_IN(report.reason_for_more, report.number_of_attempts == 1);
+    CHECK(report.number_of_hexahedra >= number / 4 && report.number_of_hexahedra <= 4 * number);
+    const auto irregular = hexahedra_reference::irregular_edges({mesh.points, mesh.hexahedra});
+    CHECK(irregular == report.irregular_edges);
+    CHECK_EQUAL(irregular.size(), std::size_t(1));
+    CHECK(irregular.begin()->first == 5 && irregular.begin()->second % 2 == 0);
+    std::cout << report.number_of_hexahedra << " hexahedra at two arcs" << std::endl;
+  }
+}
+
 int main()
 {
   test_shapes();
@@ -575,5 +620,6 @@ int main()
   test_moves_on_features();
   test_files();
   test_numbers();
+  test_near_arcs();
   return report_checks();
 }

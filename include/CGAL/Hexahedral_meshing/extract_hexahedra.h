@@ -72,6 +72,16 @@ Point point_of(const Uvw& p)
     return Point{{p[0], p[1], p[2]}};
 }
 
+// Room for more elements, in ranges that can reserve it.
+template <typename Range>
+auto reserve_more(Range& range, const std::size_t number, int)
+  -> decltype(range.reserve(number))
+{ range.reserve(range.size() + number); }
+
+template <typename Range>
+void reserve_more(Range&, std::size_t, long)
+{ }
+
 // Appends; where one of the ranges throws, the others are as they were.
 template <typename PointRange, typename HexahedronRange>
 void append_hexahedra(const Hexahedral_soup& soup, PointRange& points, HexahedronRange& hexahedra)
@@ -80,6 +90,8 @@ void append_hexahedra(const Hexahedral_soup& soup, PointRange& points, Hexahedro
   using Index = typename Output::value_type;
   const std::size_t first = points.size(), first_hexahedron = hexahedra.size();
   try {
+    reserve_more(points, soup.points.size(), 0);
+    reserve_more(hexahedra, soup.hexahedra.size(), 0);
     for(const Uvw& p : soup.points)
       points.push_back(point_of<typename PointRange::value_type>(p));
     for(const Hexahedron& h : soup.hexahedra) {

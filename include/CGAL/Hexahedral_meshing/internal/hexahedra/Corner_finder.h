@@ -130,8 +130,10 @@ public:
   {
     m_cell = cell;
     m_sides = &sides;
-    if(m_number_of_known > 0)
-      m_known.assign(initial_size, {});
+    if(m_number_of_known > 0) { // a cell mostly has about as many as the one before
+      const bool is_small = m_number_of_known * 8 < m_known.size() && m_known.size() > initial_size;
+      m_known.assign(m_known.size() / (is_small ? 2 : 1), {});
+    }
     m_number_of_known = 0;
   }
 
