@@ -568,8 +568,8 @@ void test_numbers()
   CHECK_EQUAL(many.hexahedra.size(), std::size_t(1000));
 }
 
-// Two arcs with five quadrants each, a unit apart, in blocks of four units: that is less than half a
-// unit at the number which is wanted.
+// Two arcs with five quadrants each, a unit apart, in blocks of four units: that is less than half
+// a unit at the number which is wanted.
 void test_near_arcs()
 {
   constexpr int size = 4, distance = 1;
