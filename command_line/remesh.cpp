@@ -211,12 +211,6 @@ struct Remesh_options
     return edge_length * std::sqrt(PMP::area(mesh) / area_in_sizes(mesh, sizes_of_vertices));
   }
 
-  double number_wanted(const Mesh& mesh, const Sizing_map& sizes_of_vertices) const
-  {
-    return edge_length > 0 ? area_in_sizes(mesh, sizes_of_vertices) / edge_length / edge_length
-                           : number;
-  }
-
   double most_quads() const { return maximum_number > 0 ? maximum_number : most_faces; }
 };
 
@@ -275,18 +269,10 @@ void check_edge_length(const Remesh_options& options, const Mesh& mesh, const Si
                         by_edge_length(number, most) + "; --maximum-number allows more", most);
 }
 
-// Throws `Failure` if there are more than twice as many quads as wanted, though neither features nor
-// the topology force them.
-void check_number_of_quads(const Remesh_options& options, const double wanted,
-                           const QR::Remeshing_report& report, const Topology& input)
+// Throws `Failure` if there are many more quads than wanted without a reason.
+void check_number_of_quads(const Remesh_options& options, const QR::Remeshing_report& report)
 {
-  constexpr double of_part = 6, of_handle = 9; // about as many take a closed one
-  const auto parts = double(input.number_of_parts);
-  const double handles = (2 * parts - double(input.number_of_border_loops) -
-                          double(input.euler_characteristic)) / 2;
-  const double most = 2 * (std::max)({wanted, of_part * parts + of_handle * handles,
-                                      double(report.number_of_forced_quads)});
-  if(!options.coarsest && double(report.number_of_quads) > most)
+  if(report.has_too_many_quads)
     throw Failure(STILL_FLIPPED, options.output + ": written, but " +
                                    counted(report.number_of_quads, "quad") +
                                    " are more than twice as many as wanted");
@@ -554,8 +540,7 @@ void remesh(const Arguments& arguments)
     outcome.patches = write_patches(quads.mesh, quads.is_feature, options.patches);
     outcome.write_summary(os, options.output);
     check_inverted_quads(report.number_of_inverted_quads, options.output);
-    check_number_of_quads(options, options.number_wanted(model.mesh, sizes), report,
-                          outcome.topologies->of_input);
+    check_number_of_quads(options, report);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())

@@ -316,7 +316,9 @@ class Job:
         notes = [line for line in self.lines() if line.startswith("note: ")]
         warning = ""
         if status == 5:
-            warning = "Some quads are inverted; try more quads, or fewer sharp edges"
+            fault = "There are more than twice as many quads as wanted" \
+                if any("twice as many" in line for line in self.lines()) else "Some quads are inverted"
+            warning = fault + "; try more quads, or fewer sharp edges"
         elif notes:
             warning = in_words(notes[0][len("note: "):], self.input)
         return new, warning

@@ -226,6 +226,43 @@ def test_program_is_not_found():
         addon.program_path = found
 
 
+def test_worse_results_are_told():
+    """By a program that only writes a square, and ends with status 5."""
+    settings = clear()
+    with tempfile.TemporaryDirectory() as folder:
+        program = pathlib.Path(folder) / "seamless"
+        found, addon.program_path = addon.program_path, lambda context: str(program)
+        try:
+            for message, words in (("3 quads are inverted", "Some quads are inverted"),
+                                   ("9 quads are more than twice as many as wanted", "twice as many")):
+                program.write_text("#!/bin/sh\nprintf 'v 0 0 0\\nv 1 0 0\\nv 1 1 0\\nv 0 1 0\\nf 1 2 3 4\\n'"
+                                   " > \"$3\"\necho \"error: $3: written, but %s\"\nexit 5\n" % message)
+                program.chmod(0o755)
+                bpy.ops.mesh.primitive_cube_add()
+                job = addon.Job(bpy.context, bpy.context.object, settings)
+                new, warning = job.finish(bpy.context)
+                job.clean()
+                assert len(new.data.polygons) == 1 and words in warning, warning
+        finally:
+            addon.program_path = found
+
+
+def test_manifest():
+    """The rules of Blender 4.2 for extensions, which this Blender need not know."""
+    import tomllib
+    manifest = tomllib.loads((FOLDER / "seamless_quads" / "blender_manifest.toml").read_text())
+    assert {"schema_version", "id", "version", "name", "tagline", "maintainer", "type", "license",
+            "blender_version_min"} <= set(manifest)
+    assert manifest["schema_version"] == "1.0.0" and manifest["type"] == "add-on"
+    assert manifest["id"] == "seamless_quads" and manifest["name"] == addon.bl_info["name"]
+    assert manifest["version"] == ".".join(map(str, addon.bl_info["version"]))
+    assert manifest["license"] == ["SPDX:GPL-3.0-or-later"]
+    assert tuple(map(int, manifest["blender_version_min"].split("."))) >= (4, 2, 0)
+    assert set(manifest["permissions"]) <= {"files", "network", "clipboard", "camera", "microphone"}
+    for words in [manifest["tagline"], *manifest["permissions"].values()]:
+        assert 0 < len(words) <= 64 and words[-1].isalnum(), words
+
+
 def test_stopping():
     """The program is killed, and its folder removed."""
     settings = clear()

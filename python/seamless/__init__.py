@@ -1,4 +1,4 @@
-"""Exactly seamless parametrizations of surfaces and volumes, layouts, and quad meshes.
+"""Exactly seamless parametrizations of surfaces and volumes, layouts, quads, and hexahedra.
 
 Points are float64 arrays ``(n, 3)``, triangles integer arrays ``(m, 3)`` of rows from 0. Other layouts
 and types of numbers are converted. Nothing of the caller's is changed. What can't be done raises
@@ -9,10 +9,11 @@ from . import _core, examples
 from ._errors import Error
 from ._fields import read_field
 from ._layouts import Curve, Layout, extract_quads, layout, trace
+from ._linear import snap_linear
 from ._surfaces import measure, parametrize, quad_remesh, sharp_edges, snap
-from ._volumes import measure_volume, snap_linear, snap_volume
+from ._volumes import hexahedra, measure_hexahedra, measure_volume, snap_volume
 
 __version__ = _core.__version__
-__all__ = ["Curve", "Error", "Layout", "examples", "extract_quads", "layout", "measure",
-           "measure_volume", "parametrize", "quad_remesh", "read_field", "sharp_edges", "snap",
-           "snap_linear", "snap_volume", "trace"]
+__all__ = ["Curve", "Error", "Layout", "examples", "extract_quads", "hexahedra", "layout", "measure",
+           "measure_hexahedra", "measure_volume", "parametrize", "quad_remesh", "read_field",
+           "sharp_edges", "snap", "snap_linear", "snap_volume", "trace"]

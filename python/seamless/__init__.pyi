@@ -122,6 +122,19 @@ def snap_volume(T: ArrayLike, uvw: ArrayLike, *, feature_facets: Optional[ArrayL
 def measure_volume(T: ArrayLike, uvw: ArrayLike, *, feature_facets: Optional[ArrayLike] = ...,
                    feature_edges: Optional[ArrayLike] = ..., align_boundary: bool = ...) -> Report: ...
 @overload
+def hexahedra(V: ArrayLike, T: ArrayLike, uvw: ArrayLike, hexahedra: Optional[int] = ..., *,
+              maximum: Optional[int] = ..., feature_facets: Optional[ArrayLike] = ...,
+              feature_edges: Optional[ArrayLike] = ..., tolerance: float = ...,
+              moving_rounds: int = ..., progress: Progress = ...,
+              report: Literal[False] = ...) -> Tuple[Floats, Integers]: ...
+@overload
+def hexahedra(V: ArrayLike, T: ArrayLike, uvw: ArrayLike, hexahedra: Optional[int] = ..., *,
+              maximum: Optional[int] = ..., feature_facets: Optional[ArrayLike] = ...,
+              feature_edges: Optional[ArrayLike] = ..., tolerance: float = ...,
+              moving_rounds: int = ..., progress: Progress = ...,
+              report: Literal[True]) -> Tuple[Floats, Integers, Report]: ...
+def measure_hexahedra(V: ArrayLike, H: ArrayLike) -> Report: ...
+@overload
 def snap_linear(A: Any, b: Any, x: ArrayLike, *, weights: Optional[ArrayLike] = ...,
                 progress: Progress = ..., report: Literal[False] = ...) -> Floats: ...
 @overload

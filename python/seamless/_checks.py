@@ -74,18 +74,50 @@ def indices(value, name, columns, size=None, of="V", rows="", may_be_empty=False
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
-def triangles(value, name="F", size=None):
-    """Return int64 triangles without a vertex twice."""
+def cells(value, name, size=None, corners=3):
+    """Return int64 triangles or tetrahedra, none of which has a vertex twice."""
+    kind, words = {3: ("triangle", "three"), 4: ("tetrahedron", "four"),
+                   8: ("hexahedron", "eight")}[corners]
     array = _array(value, name)
-    if array.ndim == 2 and array.shape[1] == 4:
+    if corners == 3 and array.ndim == 2 and array.shape[1] == 4:
         raise Error(f"{name} has the shape {array.shape}; its shape must be (n, 3): three vertices for "
                     "each triangle; triangulate quads first")
-    result = indices(array, name, 3, size, rows="three vertices for each triangle")
-    a, b, c = result.T
-    twice = (a == b) | (b == c) | (c == a)
+    result = indices(array, name, corners, size, rows=f"{words} vertices for each {kind}")
+    twice = np.zeros(len(result), dtype=bool)
+    for i in range(1, corners):  # a vertex and the one i places later
+        for j in range(corners - i):
+            twice |= result[:, j] == result[:, j + i]
     if twice.any():
-        raise Error(f"{_row(name, twice)} has a vertex twice; remove the triangle")
+        raise Error(f"{_row(name, twice)} has a vertex twice; remove the {kind}")
     return result
+
+
+def features(value, name, size=None, corners=2):
+    """Return int64 edges or facets, or None."""
+    if value is None:
+        return None
+    rows = "two vertices for each edge" if corners == 2 else "three vertices for each facet"
+    value = indices(value, name, corners, size, rows=rows, may_be_empty=True)
+    return value if len(value) > 0 else None
+
+
+def points(value, name="V"):
+    """Return float64 points."""
+    return doubles(value, name, (None, 3), "three coordinates for each point")
+
+
+def positive(value, name, size, rows):
+    """Return positive float64 numbers."""
+    array = doubles(value, name, (size,), rows)
+    bad = array <= 0
+    if bad.any():
+        raise Error(f"{_row(name, bad)} is {array[bad][0]}, but must be positive")
+    return array
+
+
+def optional(check, value, name, *bounds, **options):
+    """Return None, or what the check returns."""
+    return None if value is None else check(value, name, *bounds, **options)
 
 
 def number(value, name, least=None, most=None, is_open=False):
@@ -126,11 +158,6 @@ def flag(value, name):
     if not isinstance(value, (bool, np.bool_)):
         raise Error(f"{name} must be True or False, not {value!r}")
     return bool(value)
-
-
-def choice(value, name):
-    """Return True, False, or None."""
-    return None if value is None else flag(value, name)
 
 
 def progress(value):

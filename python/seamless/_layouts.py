@@ -5,8 +5,9 @@ import dataclasses
 import numpy as np
 
 from . import _checks, _core
-from ._errors import Error, checked
-from ._surfaces import _call, _map
+from ._calls import call, make
+from ._errors import Error
+from ._meshes import surface_map
 
 
 def extract_quads(V, F, uv, quads=None, *, grid_scale=1, rounding=None, features=None,
@@ -71,18 +72,16 @@ def extract_quads(V, F, uv, quads=None, *, grid_scale=1, rounding=None, features
     >>> Q.shape[1]
     4
     """
-    F, uv, V, features = _map(F, uv, V, features, needs_points=True)
+    F, uv, V, features = surface_map(F, uv, V, features, needs_points=True)
     if quads is not None and grid_scale != 1:
         raise Error("quads and grid_scale exclude each other; pass one of them")
-    points, polygons, figures = _call(
+    return make(
         _core.extract_quads, V, F, uv, features, 0 if quads is None else _checks.count(quads, "quads"),
         _checks.number(grid_scale, "grid_scale", 0, is_open=True),
-        None if rounding is None else _checks.number(rounding, "rounding", 0),
+        _checks.optional(_checks.number, rounding, "rounding", 0),
         _checks.flag(align_border, "align_border"), _checks.flag(repair_flips, "repair_flips"),
-        _checks.flag(allow_holes, "allow_holes"), _checks.flag(weld, "weld"),
-        _checks.progress(progress))
-    figures = checked(figures)
-    return (points, polygons, figures) if _checks.flag(report, "report") else (points, polygons)
+        _checks.flag(allow_holes, "allow_holes"), _checks.flag(weld, "weld"), progress=progress,
+        report=report)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -180,8 +179,8 @@ def layout(V, F, uv, *, features=None, base_complex=False):
     >>> bool(seamless.layout(V, F, uv).patch_is_cut.any())
     False
     """
-    F, uv, V, features = _map(F, uv, V, features, needs_points=True)
-    d = _call(_core.layout, V, F, uv, features, _checks.flag(base_complex, "base_complex"))
+    F, uv, V, features = surface_map(F, uv, V, features, needs_points=True)
+    d = call(_core.layout, V, F, uv, features, _checks.flag(base_complex, "base_complex"))
     paths = np.split(places(V, F, d["path_faces"], d["path_weights"]), d["path_offsets"][1:-1])
     halves = np.split(d["patch_half_arcs"], d["patch_offsets"][1:-1])
     return Layout(
@@ -219,8 +218,8 @@ class Curve:
 
     def points(self, V, F):
         """Return the points of the curve on a surface, ``(k, 3)``."""
-        V = _checks.doubles(V, "V", (None, 3), "three coordinates for each point")
-        return places(V, _checks.triangles(F, "F", len(V)), self.faces, self.weights)
+        V = _checks.points(V)
+        return places(V, _checks.cells(F, "F", len(V)), self.faces, self.weights)
 
 
 def trace(F, uv, start=None, *, maximum_length=None, progress=None):
@@ -258,12 +257,10 @@ def trace(F, uv, start=None, *, maximum_length=None, progress=None):
     >>> [curve.end for curve in seamless.trace(F, uv, [0], maximum_length=0.5)]
     ['maximum length', 'maximum length', 'maximum length', 'maximum length']
     """
-    F, uv, _, _ = _map(F, uv, None, None)
-    vertices, faces, weights = _start(start, F)
-    if maximum_length is not None:
-        maximum_length = _checks.number(maximum_length, "maximum_length", 0, is_open=True)
-    d = _call(_core.trace, F, uv, vertices, faces, weights, maximum_length,
-              _checks.progress(progress))
+    F, uv, _, _ = surface_map(F, uv, None, None)
+    d = call(_core.trace, F, uv, *_start(start, F),
+             _checks.optional(_checks.number, maximum_length, "maximum_length", 0, is_open=True),
+             _checks.progress(progress))
     offsets = d["offsets"]
     return [Curve(d["path_faces"][i:j], d["path_weights"][i:j], int(direction), end)
             for i, j, direction, end in zip(offsets, offsets[1:], d["directions"], d["ends"])]

@@ -34,8 +34,27 @@ def surface(V, F):
     """Return float64 points and int64 triangles."""
     if F is None:
         V, F = _from_object(V)
-    V = _checks.doubles(V, "V", (None, 3), "three coordinates for each point")
-    return V, _checks.triangles(F, "F", len(V))
+    V = _checks.points(V)
+    return V, _checks.cells(F, "F", len(V))
+
+
+def surface_map(F, uv, V, features, needs_points=False):
+    """Return the arrays of a parametrized surface; without points, `V` may be None."""
+    size = None
+    if V is not None or needs_points:
+        V = _checks.points(V)
+        size = len(V)
+    F = _checks.cells(F, "F", size)
+    return F, corner_uv(uv, F), V, _checks.features(features, "features", size)
+
+
+def volume_map(T, uvw, feature_facets, feature_edges, size=None):
+    """Return the arrays of a parametrized tetrahedral mesh."""
+    T = _checks.cells(T, "T", size, 4)
+    uvw = _checks.doubles(uvw, "uvw", (len(T), 4, 3),
+                          "three coordinates for each corner of each tetrahedron")
+    return T, uvw, _checks.features(feature_facets, "feature_facets", size, 3), \
+        _checks.features(feature_edges, "feature_edges", size)
 
 
 def corner_uv(uv, F):
@@ -49,12 +68,3 @@ def corner_uv(uv, F):
                     "uv[F]")
     return _checks.doubles(array, "uv", (len(F), 3, 2),
                            "two coordinates for each corner of each triangle")
-
-
-def features(edges, size, name="features"):
-    """Return int64 pairs of vertices, or None."""
-    if edges is None:
-        return None
-    edges = _checks.indices(edges, name, 2, size, rows="two vertices for each edge",
-                            may_be_empty=True)
-    return edges if len(edges) > 0 else None

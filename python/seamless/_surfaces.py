@@ -1,24 +1,15 @@
 """Functions on surfaces: triangles, and coordinates of their corners."""
 
-import warnings
-
 import numpy as np
 
 from . import _checks, _core
-from ._errors import Error, checked, refused
+from ._calls import call, make
+from ._errors import Error
 from ._fields import directions
-from ._meshes import corner_uv, features as checked_features, surface
+from ._meshes import surface, surface_map
 
 
 _MOST_QUADS = 10**7  # unless a maximum allows more
-
-
-def _call(function, *arguments):
-    """Call a compiled function; what it refuses is an `Error`."""
-    try:
-        return function(*arguments)
-    except _core.Refused as error:
-        raise refused(error) from None
 
 
 def sharp_edges(V, F=None, angle=40, *, minimum_length=0, weld=None):
@@ -56,8 +47,9 @@ def sharp_edges(V, F=None, angle=40, *, minimum_length=0, weld=None):
     (12, 2)
     """
     V, F = surface(V, F)
-    return _call(_core.sharp_edges, V, F, _checks.number(angle, "angle", 0, 180),
-                 _checks.number(minimum_length, "minimum_length", 0), _checks.choice(weld, "weld"))
+    return call(_core.sharp_edges, V, F, _checks.number(angle, "angle", 0, 180),
+                _checks.number(minimum_length, "minimum_length", 0),
+                _checks.optional(_checks.flag, weld, "weld"))
 
 
 def parametrize(V, F=None, *, features=None, align_border=False, curvature=0, field=None, weld=None,
@@ -111,12 +103,11 @@ def parametrize(V, F=None, *, features=None, align_border=False, curvature=0, fi
     0
     """
     V, F = surface(V, F)
-    uv, figures = _call(
-        _core.parametrize, V, F, checked_features(features, len(V)),
+    return make(
+        _core.parametrize, V, F, _checks.features(features, "features", len(V)),
         _checks.flag(align_border, "align_border"), _checks.number(curvature, "curvature", 0),
-        directions(field, len(F)), _checks.choice(weld, "weld"), _checks.progress(progress))
-    figures = checked(figures)
-    return (uv, figures) if _checks.flag(report, "report") else uv
+        directions(field, len(F)), _checks.optional(_checks.flag, weld, "weld"), progress=progress,
+        report=report)
 
 
 def snap(F, uv, *, V=None, features=None, align_border=False, tolerance=1e-4, repair_flips=False,
@@ -177,22 +168,21 @@ def snap(F, uv, *, V=None, features=None, align_border=False, tolerance=1e-4, re
     >>> seamless.measure(F, seamless.snap(F, uv))["exact"]
     True
     """
-    F, uv, V, features = _map(F, uv, V, features)
+    F, uv, V, features = surface_map(F, uv, V, features)
     if out is not None:
         _check_out(out, uv)
     weld = _weld(weld, V)
     tolerance = _checks.number(tolerance, "tolerance", 0, 1, is_open=True)
-    result, figures = _call(
-        _core.snap, F, uv, V, features, _checks.flag(align_border, "align_border"), tolerance,
-        _checks.flag(repair_flips, "repair_flips"), weld, _checks.progress(progress))
     try:
-        figures = checked(figures)
+        result = make(
+            _core.snap, F, uv, V, features, _checks.flag(align_border, "align_border"), tolerance,
+            _checks.flag(repair_flips, "repair_flips"), weld, progress=progress, report=report)
     except Error as error:
         raise _with_atlas(error, F, uv, tolerance) from None
-    if out is not None:
-        out[...] = result
-        result = out
-    return (result, figures) if _checks.flag(report, "report") else result
+    if out is None:
+        return result
+    out[...] = result[0] if report else result
+    return (out, result[1]) if report else out
 
 
 def measure(F, uv, *, V=None, features=None, align_border=False, weld=False):
@@ -226,9 +216,9 @@ def measure(F, uv, *, V=None, features=None, align_border=False, weld=False):
     >>> seamless.measure(F, uv)["number_of_flipped_faces"]
     0
     """
-    F, uv, V, features = _map(F, uv, V, features)
-    return _call(_core.measure, F, uv, V, features, _checks.flag(align_border, "align_border"),
-                 _weld(weld, V))
+    F, uv, V, features = surface_map(F, uv, V, features)
+    return call(_core.measure, F, uv, V, features, _checks.flag(align_border, "align_border"),
+                _weld(weld, V))
 
 
 def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maximum=None,
@@ -312,48 +302,27 @@ def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maxi
     if sum([quads is not None, edge_length is not None, coarsest is True]) > 1:
         raise Error("quads, edge_length, and coarsest exclude each other; pass one of them")
     if sizes is not None:
-        sizes = _checks.doubles(sizes, "sizes", (len(V),), "a length for each row of V")
-        if sizes.min() <= 0:
-            raise Error(f"row {int(np.argmax(sizes <= 0))} of sizes is {sizes[sizes <= 0][0]}; sizes "
-                        "must be positive")
+        sizes = _checks.positive(sizes, "sizes", len(V), "a length for each row of V")
         if quads is None and edge_length is None and coarsest is not True:
             edge_length = 1
-    if edge_length is not None:
-        edge_length = _checks.number(edge_length, "edge_length", 0, is_open=True)
-    if maximum is not None:
-        maximum = _checks.count(maximum, "maximum")
     number = _checks.count(10000 if quads is None else quads, "quads")
     if number > _MOST_QUADS and maximum is None:
         raise Error(f"quads is {number}; so many are mostly a mistake, and take long; pass maximum, too")
     plane, finds_plane = _plane(symmetry)
     wishes = _core.Wishes(
         number_of_quads=number,
-        edge_length=edge_length, coarsest=_checks.flag(coarsest, "coarsest"), maximum_number=maximum,
+        edge_length=_checks.optional(_checks.number, edge_length, "edge_length", 0, is_open=True),
+        coarsest=_checks.flag(coarsest, "coarsest"),
+        maximum_number=_checks.optional(_checks.count, maximum, "maximum"),
         feature_loss=_checks.number(feature_loss, "feature_loss", 0, 1),
-        curvature=None if curvature is None else _checks.number(curvature, "curvature", 0),
-        border_tolerance=None if border_tolerance is None
-        else _checks.number(border_tolerance, "border_tolerance", 0),
-        area_threshold=None if area_threshold is None
-        else _checks.number(area_threshold, "area_threshold", 0),
+        curvature=_checks.optional(_checks.number, curvature, "curvature", 0),
+        border_tolerance=_checks.optional(_checks.number, border_tolerance, "border_tolerance", 0),
+        area_threshold=_checks.optional(_checks.number, area_threshold, "area_threshold", 0),
         adaptivity=_checks.number(adaptivity, "adaptivity", 1), plane=plane, finds_plane=finds_plane)
-    points, polygons, figures = _call(
-        _core.quad_remesh, V, F, checked_features(features, len(V)), directions(field, len(F)), sizes,
-        wishes, _checks.choice(weld, "weld"), _checks.progress(progress))
-    figures = checked(figures)
-    if figures["number_of_parts_left_out"] > 0 and area_threshold is None:
-        warnings.warn(f"{figures['number_of_parts_left_out']} small closed parts were left out; pass "
-                      "area_threshold=0 to keep all", stacklevel=2)
-    return (points, polygons, figures) if _checks.flag(report, "report") else (points, polygons)
-
-
-def _map(F, uv, V, features, needs_points=False):
-    """The checked arrays of a map."""
-    size = None
-    if V is not None or needs_points:
-        V = _checks.doubles(V, "V", (None, 3), "three coordinates for each point")
-        size = len(V)
-    F = _checks.triangles(F, "F", size)
-    return F, corner_uv(uv, F), V, checked_features(features, size)
+    return make(
+        _core.quad_remesh, V, F, _checks.features(features, "features", len(V)),
+        directions(field, len(F)), sizes, wishes, _checks.optional(_checks.flag, weld, "weld"),
+        progress=progress, report=report)
 
 
 def _weld(weld, V):

@@ -1,32 +1,8 @@
-"""Functions on tetrahedral meshes, and on systems of linear equations."""
-
-import fractions
-import numbers
-
-import numpy as np
+"""Functions on tetrahedral meshes."""
 
 from . import _checks, _core
-from ._errors import Error, checked
-from ._surfaces import _call
-
-
-def _volume(T, uvw, feature_facets, feature_edges):
-    T = _checks.indices(T, "T", 4, rows="four vertices for each tetrahedron")
-    order = np.sort(T, axis=1)
-    twice = (order[:, 1:] == order[:, :-1]).any(axis=1)
-    if twice.any():
-        raise Error(f"row {int(np.argmax(twice))} of T has a vertex twice; remove the tetrahedron")
-    uvw = _checks.doubles(uvw, "uvw", (len(T), 4, 3),
-                          "three coordinates for each corner of each tetrahedron")
-    return T, uvw, _features(feature_facets, "feature_facets", 3), \
-        _features(feature_edges, "feature_edges", 2)
-
-
-def _features(value, name, size):
-    if value is None:
-        return None
-    value = _checks.indices(value, name, size, rows=f"{size} vertices for each", may_be_empty=True)
-    return value if len(value) > 0 else None
+from ._calls import call, make
+from ._meshes import volume_map
 
 
 def snap_volume(T, uvw, *, feature_facets=None, feature_edges=None, align_boundary=True,
@@ -86,15 +62,13 @@ def snap_volume(T, uvw, *, feature_facets=None, feature_edges=None, align_bounda
     >>> seamless.measure_volume(T, seamless.snap_volume(T, uvw))["exact"]
     True
     """
-    T, uvw, facets, edges = _volume(T, uvw, feature_facets, feature_edges)
-    result, figures = _call(
-        _core.snap_volume, T, uvw, facets, edges, _checks.flag(align_boundary, "align_boundary"),
+    return make(
+        _core.snap_volume, *volume_map(T, uvw, feature_facets, feature_edges),
+        _checks.flag(align_boundary, "align_boundary"),
         _checks.number(tolerance, "tolerance", 0, 1, is_open=True),
         _checks.flag(repair_flips, "repair_flips"), _checks.flag(integer_grid, "integer_grid"),
         _checks.number(grid_scale, "grid_scale", 0, is_open=True),
-        _checks.number(rounding, "rounding", 0), _checks.progress(progress))
-    figures = checked(figures)
-    return (result, figures) if _checks.flag(report, "report") else result
+        _checks.number(rounding, "rounding", 0), progress=progress, report=report)
 
 
 def measure_volume(T, uvw, *, feature_facets=None, feature_edges=None, align_boundary=True):
@@ -123,25 +97,39 @@ def measure_volume(T, uvw, *, feature_facets=None, feature_edges=None, align_bou
     >>> seamless.measure_volume(T, uvw)["number_of_flipped_cells"]
     0
     """
-    T, uvw, facets, edges = _volume(T, uvw, feature_facets, feature_edges)
-    return _call(_core.measure_volume, T, uvw, facets, edges,
-                 _checks.flag(align_boundary, "align_boundary"))
+    return call(_core.measure_volume, *volume_map(T, uvw, feature_facets, feature_edges),
+                _checks.flag(align_boundary, "align_boundary"))
 
 
-def snap_linear(A, b, x, *, weights=None, progress=None, report=False):
-    """Move numbers to numbers near by that solve a sparse system of linear equations exactly.
+def hexahedra(V, T, uvw, hexahedra=None, *, maximum=None, feature_facets=None, feature_edges=None,
+              tolerance=1e-4, moving_rounds=20, progress=None, report=False):
+    """Make a mesh of hexahedra of a tetrahedral mesh with a seamless parametrization.
+
+    The coordinates become an exact integer-grid map; its cells are the hexahedra. Then vertices move
+    so that hexahedra become positive. The hexahedra fill the volume and meet face to face.
 
     Parameters
     ----------
-    A : scipy.sparse matrix or array_like
-        the coefficients, ``(m, n)``: integers, floats, or, as an array of objects, `int` and
-        `fractions.Fraction` of any size. A float is the rational number that it is.
-    b : array_like
-        the right-hand sides, ``(m,)``: numbers of these kinds
-    x : array_like
-        the numbers to move, ``(n,)``
-    weights : array_like, optional
-        positive numbers, ``(n,)``; large ones hold their numbers still
+    V : array_like
+        points, ``(n, 3)``
+    T : array_like
+        tetrahedra, ``(m, 4)``: rows of `V`
+    uvw : array_like
+        coordinates of the corners, ``(m, 4, 3)``, seamless up to `tolerance`
+    hexahedra : int, optional
+        about how many hexahedra to make, or more if integers allow no fewer. By default, as many as the
+        coordinates have, whose integers must be near.
+    maximum : int, optional
+        the number of hexahedra above which to give up; 64 times `hexahedra` by default
+    feature_facets : array_like, optional
+        facets on which a coordinate is to be an integer, ``(k, 3)``
+    feature_edges : array_like, optional
+        edges along which two coordinates are to be integers, ``(k, 2)``
+    tolerance : float
+        the largest violation that counts as inaccuracy, relative to the extent of the coordinates
+    moving_rounds : int
+        the largest number of rounds in which vertices move; 0 leaves all where the coordinates have
+        them
     progress : callable, optional
         as for `parametrize`
     report : bool
@@ -149,88 +137,69 @@ def snap_linear(A, b, x, *, weights=None, progress=None, report=False):
 
     Returns
     -------
-    x : numpy.ndarray
-        float64 ``(n,)``: ``A x = b`` holds exactly
+    V : numpy.ndarray
+        float64 ``(l, 3)``: the points
+    H : numpy.ndarray
+        int64 ``(k, 8)``: the hexahedra, each of eight rows of the points: around the bottom, and likewise
+        around the top, counterclockwise as seen from above. This is the order of VTK and meshio.
     report : dict, if `report` is True
-        among others ``largest_change`` and ``distance_ratio``
+        the figures of `measure_hexahedra`; ``irregular_edges``, counts of interior edges by the number
+        of hexahedra around them, if that is not four; ``quadrilaterals`` on the boundary and on
+        feature facets, ``(q, 4)``, with the numbers of their ``patches``, from 1, and the rows of
+        ``feature_facets``, or -1; ``edges`` on feature edges and between patches, ``(e, 2)``, with the
+        numbers of their ``curves``, from 1, and the rows of ``feature_edges``, or -1
 
     Raises
     ------
     Error
-        if an argument is not as above; if there is no solution, in which case
-        ``report['contradicting_rows']`` of the error are equations that contradict each other; or if
-        none is found near by
+        if an argument is not as above, the coordinates are not seamless, or no integers are found
 
     Examples
     --------
     >>> import seamless
-    >>> A = [[1, -1, 0], [0, 3, 1]]
-    >>> seamless.snap_linear(A, [0, 5], [0.1, 0.10000001, 4.7])
-    array([0.1, 0.1, 4.7])
+    >>> V, T, uvw = seamless.examples.volume()
+    >>> V2, H = seamless.hexahedra(V, T, uvw)
+    >>> H.shape
+    (8, 8)
     """
-    x = _checks.doubles(x, "x", (None,), "one number for each column of A")
-    begins, columns, values = _rows(A, len(x))
-    m = len(begins) - 1
-    sides = _numbers(b, "b")
-    if len(sides) != m:
-        raise Error(f"b has {len(sides)} numbers, but A has {m} rows; pass one number for each row")
-    weights = np.ones(len(x)) if weights is None else \
-        _checks.doubles(weights, "weights", (len(x),), "one number for each of x")
-    if (weights <= 0).any():
-        raise Error(f"row {int(np.argmax(weights <= 0))} of weights is not positive")
-    is_integer = isinstance(values, np.ndarray)
-    result, figures = _call(
-        _core.snap_linear_integers if is_integer else _core.snap_linear_rationals, begins, columns,
-        values, sides, x, weights, _checks.progress(progress))
-    figures = checked(figures)
-    return (result, figures) if _checks.flag(report, "report") else result
+    V = _checks.points(V)
+    return make(
+        _core.hexahedra, V, *volume_map(T, uvw, feature_facets, feature_edges, len(V)),
+        0 if hexahedra is None else _checks.count(hexahedra, "hexahedra"),
+        _checks.optional(_checks.count, maximum, "maximum"),
+        _checks.number(tolerance, "tolerance", 0, 1, is_open=True),
+        _checks.count(moving_rounds, "moving_rounds", 0, 10**6), progress=progress, report=report)
 
 
-def _rows(A, n):
-    """The rows of a matrix: where they begin, columns, and coefficients, as int64 or as words."""
-    if hasattr(A, "tocsr"):
-        A = A.tocsr()
-        shape, begins, columns, values = A.shape, A.indptr, A.indices, A.data
-    else:
-        try:
-            A = np.asarray(A)
-        except ValueError as error:
-            raise Error(f"A is no matrix: {error}") from None
-        if A.ndim != 2 or A.dtype.kind not in "biufO":
-            raise Error(f"A has the shape {A.shape} and the type {A.dtype}; pass rows of numbers")
-        shape = A.shape
-        rows, columns = np.nonzero(A)
-        values = A[rows, columns]
-        begins = np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=shape[0]))])
-    if shape[1] != n:
-        raise Error(f"A has {shape[1]} columns, but x has {n} numbers; pass one number for each column")
-    if shape[0] == 0:
-        raise Error("A is empty; pass at least one row")
-    columns = np.ascontiguousarray(columns, dtype=np.int64)
-    begins = np.ascontiguousarray(begins, dtype=np.int64)
-    if len(columns) > 0 and (columns.min() < 0 or columns.max() >= n):
-        raise Error("A has an index of a column out of range; build it anew")
-    if values.dtype.kind in "bi" or (values.dtype.kind == "u" and values.dtype.itemsize < 8):
-        return begins, columns, np.ascontiguousarray(values, dtype=np.int64)
-    return begins, columns, _numbers(values, "A", begins)
+def measure_hexahedra(V, H):
+    """Measure the shapes of hexahedra, of this module or of another program.
 
+    Parameters
+    ----------
+    V : array_like
+        points, ``(n, 3)``
+    H : array_like
+        hexahedra, ``(k, 8)``: rows of `V`, in the order of `hexahedra`
 
-def _numbers(values, name, begins=None):
-    """Integers and fractions in decimal digits, exactly."""
-    try:
-        values = np.asarray(values)
-    except ValueError as error:
-        raise Error(f"{name} is no array of numbers: {error}") from None
-    if values.ndim != 1 or values.dtype.kind not in "biufO":
-        raise Error(f"{name} has the shape {values.shape} and the type {values.dtype}; pass a row of "
-                    "numbers")
-    result = []
-    for i, value in enumerate(values.tolist()):
-        row = i if begins is None else int(np.searchsorted(begins, i, side="right")) - 1
-        if not isinstance(value, numbers.Real):
-            raise Error(f"row {row} of {name} has {value!r}, which is no integer, fraction, or float")
-        try:
-            result.append(str(fractions.Fraction(value)))
-        except (ValueError, OverflowError, TypeError):
-            raise Error(f"row {row} of {name} is not finite: it has {value!r}", "not finite") from None
-    return result
+    Returns
+    -------
+    dict
+        ``least_scaled_jacobian`` and ``mean_scaled_jacobian``, which are 1 for cubes;
+        ``number_by_tenths``, counts of hexahedra by their scaled Jacobian; and
+        ``nonpositive_hexahedra``, the rows whose edges at some corner have no positive determinant,
+        which is decided exactly
+
+    Raises
+    ------
+    Error
+        if an argument is not as above
+
+    Examples
+    --------
+    >>> import seamless
+    >>> V, _ = seamless.examples.box()
+    >>> seamless.measure_hexahedra(V, [[0, 4, 6, 2, 1, 5, 7, 3]])["mean_scaled_jacobian"]
+    1.0
+    """
+    V = _checks.points(V)
+    return call(_core.measure_hexahedra, V, _checks.cells(H, "H", len(V), 8))

@@ -56,6 +56,14 @@ def inexact_volume(n=2, noise=1e-9, seed=1):
     return np.array(T), uvw + noise * np.random.default_rng(seed).standard_normal(uvw.shape)
 
 
+def volume(n=2, noise=1e-9, seed=1):
+    """Return the points and tetrahedra of a bent bar, and coordinates of their corners with some noise."""
+    T, uvw = inexact_volume(n, noise, seed)
+    x, y, z = np.array(np.meshgrid(*[np.arange(n + 1) / n] * 3, indexing="ij")).reshape(3, -1)
+    angle, r = 0.5 * np.pi * x, 1 + y
+    return np.stack([r * np.sin(angle), r * np.cos(angle), z], axis=1), T, uvw
+
+
 def draw(V, Q, path, direction=(1, -1.5, 1)):
     """Draw the faces of a mesh, seen from a direction, as a file of the format SVG."""
     V, view = np.asarray(V, dtype=float), np.array(direction, dtype=float)

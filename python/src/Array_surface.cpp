@@ -32,24 +32,24 @@ Soup soup_of(const Surface_arrays& arrays, const Used_vertices& used)
   Soup soup;
   soup.points.resize(rows.size());
   for(std::size_t v = 0; v < rows.size(); ++v)
-    if(arrays.points == nullptr)
+    if(arrays.points.empty())
       soup.points[v] = {{double(v), 0, 0}};
     else
-      std::copy_n(arrays.points + 3 * rows[v], 3, soup.points[v].begin());
-  soup.triangles.resize(arrays.number_of_triangles);
+      std::copy_n(arrays.points.data() + 3 * rows[v], 3, soup.points[v].begin());
+  soup.triangles.resize(arrays.number_of_triangles());
   for(std::size_t f = 0; f < soup.triangles.size(); ++f)
     for(std::size_t k = 0; k < 3; ++k) {
       soup.triangles[f].vertices[k] =
         used.number(std::size_t(arrays.triangles[3 * f + k]));
       soup.triangles[f].uvs[k] =
-        arrays.uv == nullptr ? 0 : SS::internal::Soup_index(3 * f + k);
+        arrays.uv.empty() ? 0 : SS::internal::Soup_index(3 * f + k);
     }
   soup.uvs.assign(1, {{0, 0}});
-  if(arrays.uv != nullptr) {
-    soup.uvs.resize(3 * arrays.number_of_triangles);
-    std::copy_n(arrays.uv, 2 * soup.uvs.size(), soup.uvs.front().data());
+  if(!arrays.uv.empty()) {
+    soup.uvs.resize(3 * arrays.number_of_triangles());
+    std::copy_n(arrays.uv.data(), arrays.uv.size(), soup.uvs.front().data());
   }
-  for(std::size_t i = 0; i < arrays.number_of_features; ++i) {
+  for(std::size_t i = 0; i < arrays.number_of_features(); ++i) {
     Soup::Segment segment{};
     for(std::size_t k = 0; k < 2; ++k) {
       const std::int64_t row = arrays.features[2 * i + k];
@@ -67,17 +67,14 @@ Soup soup_of(const Surface_arrays& arrays, const Used_vertices& used)
 Surface_arrays::Surface_arrays(const Integers& t, const std::optional<Doubles>& p,
                                const std::optional<Doubles>& coordinates,
                                const std::optional<Integers>& edges)
-  : number_of_triangles(std::size_t(t.shape(0))),
-    number_of_points(p ? std::size_t(p->shape(0)) : 0),
-    number_of_features(edges ? std::size_t(edges->shape(0)) : 0), triangles(t.data()),
-    features(edges ? edges->data() : nullptr), points(p ? p->data() : nullptr),
-    uv(coordinates ? coordinates->data() : nullptr)
+  : triangles(copy_of(t)), features(copy_of(edges)), points(copy_of(p)), uv(copy_of(coordinates))
 { }
 
-Array_surface::Array_surface(const Surface_arrays& arrays, const bool weld)
+Array_surface::Array_surface(Surface_arrays&& given, const bool weld)
 {
+  const Surface_arrays arrays = std::move(given);
   using namespace SS::internal;
-  const Used_vertices used({arrays.triangles, arrays.triangles + 3 * arrays.number_of_triangles});
+  const Used_vertices used({arrays.triangles.begin(), arrays.triangles.end()});
   const std::vector<std::size_t>& rows = used.names();
   Soup soup = soup_of(arrays, used);
   Vertex_changes changes;

@@ -21,16 +21,18 @@ using Edge = Mesh::Edge_index;
 using Uv_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
 using Edge_bool_map = Mesh::Property_map<Edge, bool>;
 
-// Views of the caller's arrays, which must not change while they are read. Numbers of vertices are
-// rows of `points` if there are any.
+// Copies of the caller's arrays; those that were not passed are empty. Numbers of vertices are rows
+// of `points` if there are any.
 struct Surface_arrays
 {
   Surface_arrays(const Integers& triangles, const std::optional<Doubles>& points,
                  const std::optional<Doubles>& uv, const std::optional<Integers>& features);
 
-  std::size_t number_of_triangles, number_of_points, number_of_features;
-  const std::int64_t *triangles, *features;
-  const double *points, *uv; // perhaps null
+  std::size_t number_of_triangles() const { return triangles.size() / 3; }
+  std::size_t number_of_features() const { return features.size() / 2; }
+
+  std::vector<std::int64_t> triangles, features;
+  std::vector<double> points, uv;
 };
 
 // Face i is triangle i. Vertices are in the order of the rows that have faces. If the faces around a
@@ -39,8 +41,9 @@ class Array_surface
 {
 public:
   // Throws `Refused` if the triangles are no oriented surface, or a feature is no edge.
+  // \param arrays are freed
   // \param weld whether border edges are joined that lie in the same place
-  explicit Array_surface(const Surface_arrays& arrays, bool weld = false);
+  explicit Array_surface(Surface_arrays&& arrays, bool weld = false);
   Array_surface(const Array_surface&) = delete;
   Array_surface& operator=(const Array_surface&) = delete;
 

@@ -1,17 +1,16 @@
-// A call of the core, during which other threads of Python run. Lines of progress go to a callable
-// of the caller, and each is an occasion to notice that the user interrupts.
+// A call of the core, in a thread of its own. The calling thread waits for it, passes lines of
+// progress on, and notices that the user interrupts, whatever the core does meanwhile.
 
 #ifndef SEAMLESS_SNAPPING_PYTHON_CALL_H
 #define SEAMLESS_SNAPPING_PYTHON_CALL_H
 
-#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/types/Report.h>
-#include <CGAL/Linear_snapping/types/parameters.h>
 
 #include <pybind11/pybind11.h>
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,51 +29,18 @@ struct Refused
   std::vector<std::size_t> rows; // of the vertices in the message, if they differ
 };
 
-class Call
-{
-public:
-  // \param progress a callable that takes a line, or None
-  explicit Call(py::object progress) : m_progress(std::move(progress)) { }
+// Runs `work()` in a thread of its own, while other threads of Python run. It must own all that it
+// uses, and use nothing of Python: if the user interrupts, or `progress` raises, then the error
+// passes on at once, and the thread ends at the next line that the core tells.
+void run_apart(const py::object& progress, std::function<void()> work);
 
-  // Runs `work()` without the lock of the interpreter. What `progress` raises passes on.
-  template <typename Work>
-  void run(const Work& work)
-  {
-    try {
-      const py::gil_scoped_release others_run;
-      const CGAL::Linear_snapping::internal::Progress progress(
-        CGAL::Linear_snapping::internal::strip(
-          CGAL::Linear_snapping::parameters::visitor(std::ref(*this))));
-      work();
-    } catch(const Stopped&) {
-      PyErr_Restore(m_type, m_value, m_traceback);
-      throw py::error_already_set();
-    }
-  }
+// Runs `job->run()` so.
+template <typename Job>
+void run_apart(const py::object& progress, const std::shared_ptr<Job>& job)
+{ run_apart(progress, std::function<void()>([job] { job->run(); })); }
 
-  void operator()(const std::string& line)
-  {
-    const py::gil_scoped_acquire lock;
-    if(PyErr_CheckSignals() == 0 && (m_progress.is_none() || call(line)))
-      return;
-    PyErr_Fetch(&m_type, &m_value, &m_traceback);
-    throw Stopped();
-  }
-
-private:
-  struct Stopped { }; // crosses the core, which must not touch objects of Python
-
-  // Returns whether nothing was raised.
-  bool call(const std::string& line)
-  {
-    PyObject* const result =
-      PyObject_CallFunction(m_progress.ptr(), "s", line.c_str());
-    Py_XDECREF(result);
-    return result != nullptr;
-  }
-
-  py::object m_progress;
-  PyObject *m_type = nullptr, *m_value = nullptr, *m_traceback = nullptr;
-};
+// Waits for the threads that interrupted calls have left behind, unless the user interrupts that, too.
+// The interpreter calls it at its end.
+void wait_for_interrupted_calls();
 
 #endif // SEAMLESS_SNAPPING_PYTHON_CALL_H

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,27 @@ namespace py = pybind11;
 
 using Doubles = py::array_t<double, py::array::c_style>;
 using Integers = py::array_t<std::int64_t, py::array::c_style>;
+
+// A copy, which calls of the core own: the caller may change the array after an interruption.
+template <typename Number>
+std::vector<Number> copy_of(const py::array_t<Number, py::array::c_style>& array)
+{ return std::vector<Number>(array.data(), array.data() + array.size()); }
+
+// Nothing for None.
+template <typename Number>
+std::vector<Number> copy_of(const std::optional<py::array_t<Number, py::array::c_style> >& array)
+{ return array ? copy_of(*array) : std::vector<Number>(); }
+
+// Rows of so many numbers.
+template <std::size_t N, typename Array>
+auto rows_of(const Array& array)
+{
+  const auto numbers = copy_of(array);
+  std::vector<std::array<typename decltype(numbers)::value_type, N> > result(numbers.size() / N);
+  for(std::size_t i = 0; i < N * result.size(); ++i)
+    result[i / N][i % N] = numbers[i];
+  return result;
+}
 
 // \param shape its product is the number of values; where a value is an array, the last one is the
 //        size of that

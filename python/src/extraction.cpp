@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -247,33 +248,46 @@ private:
   std::vector<double> m_uv, m_quantized_uv; // of the corners: as given, and as last quantized
 };
 
+struct Extraction
+{
+  void run()
+  {
+    surface.emplace(std::move(arrays), weld);
+    surface->turn_if_mirrored();
+    result = Quad_maker(*surface, wishes).run();
+    quads.emplace(result->quads);
+  }
+
+  Surface_arrays arrays;
+  Wishes wishes;
+  bool weld;
+  std::optional<Array_surface> surface = std::nullopt;
+  std::optional<Result> result = std::nullopt;
+  std::optional<Quad_arrays> quads = std::nullopt;
+};
+
 py::tuple extract_quads(const Doubles& points, const Integers& triangles, const Doubles& uv,
                         const std::optional<Integers>& features, const std::size_t number,
                         const double grid_scale, const std::optional<double> rounding,
                         const bool align_border, const bool repair_flips, const bool allow_holes,
                         const bool weld, const py::object& progress)
 {
-  const Surface_arrays arrays(triangles, points, uv, features);
-  const Wishes wishes{number, grid_scale, rounding, align_border, repair_flips, allow_holes};
-  std::optional<Array_surface> surface;
-  std::optional<Result> result;
-  std::optional<Quad_arrays> quads;
-  Call(progress).run([&] {
-    surface.emplace(arrays, weld);
-    surface->turn_if_mirrored();
-    result = Quad_maker(*surface, wishes).run();
-    quads.emplace(result->quads);
-  });
-  py::dict report = dict_of(result->report, &*surface);
-  report["integers"] = result->integers;
-  report["nonpositive_faces"] = result->nonpositive_faces;
-  report["number_of_inverted_quads"] = result->number_of_inverted_quads;
-  report["number_of_cut_cells"] = result->number_of_cut_cells;
-  report["largest_rounding"] = result->largest_rounding;
-  report["smoothed"] = result->is_smoothed;
-  report["feature_edges"] = to_array(std::move(quads->features));
-  report["other_polygons"] = quads->others;
-  return py::make_tuple(to_array(std::move(quads->points)), to_array(std::move(quads->polygons)),
+  const std::shared_ptr<Extraction> extraction(new Extraction{
+    {triangles, points, uv, features},
+    {number, grid_scale, rounding, align_border, repair_flips, allow_holes}, weld});
+  run_apart(progress, extraction);
+  const Result& result = *extraction->result;
+  Quad_arrays& quads = *extraction->quads;
+  py::dict report = dict_of(result.report, &*extraction->surface);
+  report["integers"] = result.integers;
+  report["nonpositive_faces"] = result.nonpositive_faces;
+  report["number_of_inverted_quads"] = result.number_of_inverted_quads;
+  report["number_of_cut_cells"] = result.number_of_cut_cells;
+  report["largest_rounding"] = result.largest_rounding;
+  report["smoothed"] = result.is_smoothed;
+  report["feature_edges"] = to_array(std::move(quads.features));
+  report["other_polygons"] = quads.others;
+  return py::make_tuple(to_array(std::move(quads.points)), to_array(std::move(quads.polygons)),
                         report);
 }
 

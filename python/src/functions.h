@@ -11,6 +11,7 @@ void add_remeshing(pybind11::module_& module);
 void add_extraction(pybind11::module_& module);
 void add_layouts(pybind11::module_& module);
 void add_volumes(pybind11::module_& module);
+void add_hexahedra(pybind11::module_& module);
 void add_linear(pybind11::module_& module);
 
 #endif // SEAMLESS_SNAPPING_PYTHON_FUNCTIONS_H

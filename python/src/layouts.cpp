@@ -7,11 +7,14 @@
 
 #include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -119,31 +122,37 @@ private:
   }
 };
 
-py::dict layout(const Doubles& points, const Integers& triangles, const Doubles& uv,
-                const std::optional<Integers>& features, const bool base_complex)
+struct Layout
 {
-  const Surface_arrays arrays(triangles, points, uv, features);
-  std::optional<Array_surface> surface;
-  IL::Outcome status = IL::Outcome::SUCCESS;
-  std::string message;
-  Layout_arrays result;
-  Call(py::none()).run([&] {
-    surface.emplace(arrays);
+  void run()
+  {
+    surface.emplace(std::move(arrays));
     surface->turn_if_mirrored();
     const auto np = IL::parameters::edge_is_constrained_map(surface->is_feature);
     const IL::Motorcycle_graph<Mesh> graph =
       base_complex ? IL::motorcycle_graph(surface->mesh, surface->uv_map,
                                           np.curve_stop_policy(IL::Run_to_nodes()))
                    : IL::motorcycle_graph(surface->mesh, surface->uv_map, np);
-    status = graph.status();
     message = graph.message();
-    if(graph)
-      result = Layout_arrays(*surface, graph);
-  });
-  if(status != IL::Outcome::SUCCESS)
-    throw Refused(status, message, renamed(surface->rows()));
-  py::dict dict = result.dict();
-  dict["message"] = message;
+    if(!graph)
+      throw Refused(graph.status(), message, renamed(surface->rows()));
+    result = Layout_arrays(*surface, graph);
+  }
+
+  Surface_arrays arrays;
+  bool base_complex;
+  std::optional<Array_surface> surface = std::nullopt;
+  std::string message = {};
+  Layout_arrays result = {};
+};
+
+py::dict layout(const Doubles& points, const Integers& triangles, const Doubles& uv,
+                const std::optional<Integers>& features, const bool base_complex)
+{
+  const std::shared_ptr<Layout> made(new Layout{{triangles, points, uv, features}, base_complex});
+  run_apart(py::none(), made);
+  py::dict dict = made->result.dict();
+  dict["message"] = made->message;
   return dict;
 }
 
@@ -152,15 +161,13 @@ using Start = std::pair<Tracer::Start, IL::Isocurve_direction>;
 
 // The starts of curves: at all singular vertices, at vertices, or at places in triangles.
 std::vector<Start> starts_at_vertices(const Tracer& tracer, const Array_surface& surface,
-                                      const std::optional<Integers>& vertices)
+                                      std::optional<std::vector<std::int64_t> > rows)
 {
   std::vector<char> is_wanted(surface.mesh.number_of_vertices(), 0);
-  if(vertices) {
-    const std::int64_t* const begin = vertices->data();
-    std::vector<std::int64_t> rows(begin, begin + vertices->size());
-    std::sort(rows.begin(), rows.end());
+  if(rows) {
+    std::sort(rows->begin(), rows->end());
     for(const auto v : surface.mesh.vertices())
-      is_wanted[v] = std::binary_search(rows.begin(), rows.end(), std::int64_t(surface.row(v)));
+      is_wanted[v] = std::binary_search(rows->begin(), rows->end(), std::int64_t(surface.row(v)));
   } else {
     for(const auto v : surface.mesh.vertices())
       is_wanted[v] = tracer.is_singular(v);
@@ -193,12 +200,13 @@ std::optional<Kernel::Point_2> place_in_plane(const Array_surface& surface, cons
   return Kernel::Point_2(x, y);
 }
 
-std::vector<Start> starts_in_faces(const Array_surface& surface, const Integers& faces,
-                                   const Doubles& weights)
+std::vector<Start> starts_in_faces(const Array_surface& surface,
+                                   const std::vector<std::int64_t>& faces,
+                                   const std::vector<double>& weights)
 {
   std::vector<Start> result;
-  for(py::ssize_t i = 0; i < faces.size(); ++i) {
-    const std::size_t f = std::size_t(faces.data()[i]);
+  for(std::size_t i = 0; i < faces.size(); ++i) {
+    const std::size_t f = std::size_t(faces[i]);
     const auto p = place_in_plane(surface, f, weights.data() + 3 * i);
     if(!p)
       throw Refused(IL::Outcome::INVALID_ARGUMENT,
@@ -259,22 +267,17 @@ private:
   }
 };
 
-py::dict trace(const Integers& triangles, const Doubles& uv,
-               const std::optional<Integers>& vertices, const std::optional<Integers>& faces,
-               const std::optional<Doubles>& weights, const std::optional<double> maximum_length,
-               const py::object& progress)
+struct Tracing
 {
-  const Surface_arrays arrays(triangles, std::nullopt, uv, std::nullopt);
-  Curve_arrays result;
-  Call call(progress);
-  call.run([&] {
-    const Array_surface surface(arrays);
+  void run()
+  {
+    const Array_surface surface(std::move(arrays));
     const Tracer tracer(surface.mesh, surface.uv_map);
     if(!tracer.is_exact())
       throw Refused(IL::Outcome::NOT_SEAMLESS,
                     "the coordinates are not exactly seamless; pass them through snap() first");
-    const std::vector<Start> starts = faces ? starts_in_faces(surface, *faces, *weights)
-                                            : starts_at_vertices(tracer, surface, vertices);
+    const std::vector<Start> starts = faces.empty() ? starts_at_vertices(tracer, surface, vertices)
+                                                    : starts_in_faces(surface, faces, weights);
     for(const auto& [start, direction] : starts) {
       result.add(surface,
                  maximum_length ? tracer.trace(start, direction,
@@ -283,7 +286,27 @@ py::dict trace(const Integers& triangles, const Doubles& uv,
       CGAL::Linear_snapping::internal::Progress::tell_each_second([&]
         { return std::to_string(result.ends.size()) + " curves"; });
     }
-  });
+  }
+
+  Surface_arrays arrays;
+  std::optional<std::vector<std::int64_t> > vertices;
+  std::vector<std::int64_t> faces;
+  std::vector<double> weights;
+  std::optional<double> maximum_length;
+  Curve_arrays result = {};
+};
+
+py::dict trace(const Integers& triangles, const Doubles& uv,
+               const std::optional<Integers>& vertices, const std::optional<Integers>& faces,
+               const std::optional<Doubles>& weights, const std::optional<double> maximum_length,
+               const py::object& progress)
+{
+  const std::shared_ptr<Tracing> tracing(new Tracing{
+    {triangles, std::nullopt, uv, std::nullopt},
+    vertices ? std::optional<std::vector<std::int64_t> >(copy_of(*vertices)) : std::nullopt,
+    copy_of(faces), copy_of(weights), maximum_length});
+  run_apart(progress, tracing);
+  Curve_arrays& result = tracing->result;
   py::dict dict;
   result.path.write(dict, "path");
   dict["offsets"] = to_array(std::move(result.offsets));

@@ -9,7 +9,10 @@
 #include <CGAL/Exact_rational.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,50 +21,50 @@ using Rational = CGAL::Exact_rational;
 
 namespace {
 
-// A matrix by rows: the terms of row i are those from `begins[i]` to `begins[i + 1]`.
-template <typename Coefficient, typename Get>
-LS::Linear_constraints<Coefficient>
-constraints_of(const Integers& begins, const Integers& columns, const std::size_t unknowns,
-               const std::vector<Rational>& sides, const Get& coefficient)
+// What words are converted to; integers stay as they are.
+template <typename Coefficient>
+using Rational_or =
+  std::conditional_t<std::is_same_v<Coefficient, std::string>, Rational, Coefficient>;
+
+// Coefficients and right-hand sides, and numbers near a solution.
+template <typename Coefficient>
+struct Snapping
 {
-  LS::Linear_constraints<Coefficient> result(unknowns);
-  std::vector<std::pair<std::size_t, Coefficient> > terms;
-  for(py::ssize_t i = 0; i + 1 < begins.size(); ++i) {
-    terms.clear();
-    for(std::int64_t k = begins.data()[i]; k < begins.data()[i + 1]; ++k)
-      terms.emplace_back(std::size_t(columns.data()[k]), coefficient(std::size_t(k)));
-    result.add_constraint(terms, sides[std::size_t(i)]);
+  // Row i has the terms from `begins[i]` to `begins[i + 1]`. Rationals are in decimal digits.
+  void run()
+  {
+    LS::Linear_constraints<Rational_or<Coefficient> > constraints(x.size());
+    std::vector<std::pair<std::size_t, Rational_or<Coefficient> > > terms;
+    for(std::size_t i = 0; i < sides.size(); ++i) {
+      terms.clear();
+      for(std::size_t k = std::size_t(begins[i]); k < std::size_t(begins[i + 1]); ++k)
+        terms.emplace_back(std::size_t(columns[k]), Rational_or<Coefficient>(coefficients[k]));
+      constraints.add_constraint(terms, Rational(sides[i]));
+    }
+    report = LS::snap_to_linear_constraints(constraints, x, LS::parameters::value_weights(weights));
   }
-  return result;
-}
 
-// \param numbers integers or fractions in decimal digits
-std::vector<Rational> rationals(const std::vector<std::string>& numbers)
-{
-  std::vector<Rational> result;
-  for(const std::string& s : numbers)
-    result.emplace_back(s);
-  return result;
-}
+  std::vector<std::int64_t> begins, columns;
+  std::vector<Coefficient> coefficients;
+  std::vector<std::string> sides;
+  std::vector<double> x, weights;
+  LS::Linear_report report = LS::Linear_report();
+};
 
-template <typename Constraints>
-std::pair<Doubles, py::dict> snap(const Constraints& constraints, const Doubles& values,
-                                  const Doubles& weights, const py::object& progress)
+template <typename Coefficient>
+std::pair<Doubles, py::dict> snap(std::shared_ptr<Snapping<Coefficient> > snapping,
+                                  const py::object& progress)
 {
-  std::vector<double> x(values.data(), values.data() + values.size());
-  const std::vector<double> w(weights.data(), weights.data() + weights.size());
-  LS::Linear_report report;
-  Call(progress).run([&] {
-    report = LS::snap_to_linear_constraints(constraints, x, LS::parameters::value_weights(w));
-  });
-  py::dict dict = dict_of(report);
+  run_apart(progress, snapping);
+  const LS::Linear_report& report = snapping->report;
+  py::dict dict = ::dict_of(report);
   add_distances(dict, report);
   dict["distance_ratio"] = report.distance_ratio;
   std::vector<std::int64_t> rows;
   for(const auto& [row, multiplier] : report.certificate)
     rows.push_back(std::int64_t(row));
   dict["contradicting_rows"] = to_array(std::move(rows));
-  return {to_array(std::move(x)), dict};
+  return {to_array(std::move(snapping->x)), dict};
 }
 
 std::pair<Doubles, py::dict>
@@ -69,10 +72,9 @@ snap_integers(const Integers& begins, const Integers& columns, const Integers& c
               const std::vector<std::string>& sides, const Doubles& values, const Doubles& weights,
               const py::object& progress)
 {
-  return snap(constraints_of<std::int64_t>(begins, columns, std::size_t(values.size()),
-                                           rationals(sides), [&](const std::size_t k)
-                                             { return coefficients.data()[k]; }),
-              values, weights, progress);
+  return snap(std::shared_ptr<Snapping<std::int64_t> >(new Snapping<std::int64_t>{
+                copy_of(begins), copy_of(columns), copy_of(coefficients), sides, copy_of(values),
+                copy_of(weights)}), progress);
 }
 
 std::pair<Doubles, py::dict>
@@ -80,11 +82,9 @@ snap_rationals(const Integers& begins, const Integers& columns,
                const std::vector<std::string>& coefficients, const std::vector<std::string>& sides,
                const Doubles& values, const Doubles& weights, const py::object& progress)
 {
-  const std::vector<Rational> numbers = rationals(coefficients);
-  return snap(constraints_of<Rational>(begins, columns, std::size_t(values.size()),
-                                       rationals(sides), [&](const std::size_t k)
-                                         { return numbers[k]; }),
-              values, weights, progress);
+  return snap(std::shared_ptr<Snapping<std::string> >(new Snapping<std::string>{
+                copy_of(begins), copy_of(columns), coefficients, sides, copy_of(values),
+                copy_of(weights)}), progress);
 }
 
 } // namespace

@@ -4,6 +4,8 @@
 #include "Call.h"
 #include "functions.h"
 
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
+
 #include <pybind11/stl.h>
 
 #include <chrono>
@@ -11,7 +13,7 @@
 
 PYBIND11_MODULE(_core, module)
 {
-  // so that an interruption is noticed soon
+  // an interrupted call ends at a line of progress
   CGAL::Linear_snapping::internal::Progress::interval = std::chrono::milliseconds(250);
   // never destroyed, because the interpreter ends before static objects do
   static const auto* const refused = new py::exception<Refused>(module, "Refused");
@@ -25,11 +27,13 @@ PYBIND11_MODULE(_core, module)
     }
   });
   module.attr("__version__") = SEAMLESS_SNAPPING_VERSION;
+  module.def("wait_for_interrupted_calls", wait_for_interrupted_calls);
   add_snapping(module);
   add_parametrization(module);
   add_remeshing(module);
   add_extraction(module);
   add_layouts(module);
   add_volumes(module);
+  add_hexahedra(module);
   add_linear(module);
 }

@@ -15,9 +15,10 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,15 +27,20 @@ namespace QR = CGAL::Quad_remeshing;
 
 namespace {
 
-// Edges inside that are sharper than an angle in degrees, as pairs of vertices.
-py::array_t<std::int64_t> sharp_edges(const Doubles& points, const Integers& triangles,
-                                      const double angle, const double least_length,
-                                      const std::optional<bool> weld)
+using Vertex_pair = std::array<std::int64_t, 2>;
+
+Vertex_pair rows_of_edge(const Array_surface& surface, const Edge e)
 {
-  const Surface_arrays arrays(triangles, points, std::nullopt, std::nullopt);
-  std::vector<std::array<std::int64_t, 2> > result;
-  Call(py::none()).run([&] {
-    Array_surface surface(arrays, weld.value_or(false));
+  return {{std::int64_t(surface.row(surface.mesh.vertex(e, 0))),
+           std::int64_t(surface.row(surface.mesh.vertex(e, 1)))}};
+}
+
+// Edges inside that are sharper than an angle in degrees, as pairs of vertices.
+struct Edge_detection
+{
+  void run()
+  {
+    Array_surface surface(std::move(arrays), weld.value_or(false));
     check_closed_seams(surface, weld);
     const std::vector<Kernel::Point_3> as_given(surface.mesh.points().begin(),
                                                 surface.mesh.points().end());
@@ -46,15 +52,27 @@ py::array_t<std::int64_t> sharp_edges(const Doubles& points, const Integers& tri
     QR::remove_feature_noise(surface.mesh, surface.is_feature, least_length);
     for(const Edge e : surface.mesh.edges())
       if(surface.is_feature[e])
-        result.push_back({{std::int64_t(surface.row(surface.mesh.vertex(e, 0))),
-                           std::int64_t(surface.row(surface.mesh.vertex(e, 1)))}});
-  });
-  return to_array(std::move(result));
+        result.push_back(rows_of_edge(surface, e));
+  }
+
+  Surface_arrays arrays;
+  double angle, least_length;
+  std::optional<bool> weld;
+  std::vector<Vertex_pair> result = {};
+};
+
+py::array_t<std::int64_t> sharp_edges(const Doubles& points, const Integers& triangles,
+                                      const double angle, const double least_length,
+                                      const std::optional<bool> weld)
+{
+  const std::shared_ptr<Edge_detection> detection(new Edge_detection{
+    {triangles, points, std::nullopt, std::nullopt}, angle, least_length, weld});
+  run_apart(py::none(), detection);
+  return to_array(std::move(detection->result));
 }
 
 // A triangle can be aligned along two of its edges at most.
-void release_one_of_three(Array_surface& surface,
-                          std::vector<std::array<std::int64_t, 2> >& released)
+void release_one_of_three(Array_surface& surface, std::vector<Vertex_pair>& released)
 {
   const Mesh& mesh = surface.mesh;
   for(const auto f : mesh.faces()) {
@@ -63,53 +81,70 @@ void release_one_of_three(Array_surface& surface,
                    [&](const Halfedge h) { return surface.is_feature[mesh.edge(h)]; })) {
       const Edge e = mesh.edge(mesh.halfedge(f));
       surface.is_feature[e] = false;
-      released.push_back({{std::int64_t(surface.row(mesh.vertex(e, 0))),
-                           std::int64_t(surface.row(mesh.vertex(e, 1)))}});
+      released.push_back(rows_of_edge(surface, e));
     }
   }
 }
 
-struct Made_map
+struct Parametrization
 {
-  QR::Parametrization_report<Mesh::Vertex_index> made;
-  QR::Snapping_report snapped;
-  std::vector<std::array<std::int64_t, 2> > released;
-  std::vector<double> uv;
+  void run()
+  {
+    surface.emplace(std::move(arrays), weld.value_or(false));
+    check_closed_seams(*surface, weld);
+    if(align_border)
+      surface->add_border();
+    make_map();
+  }
+
+  Surface_arrays arrays;
+  bool align_border;
+  double curvature;
+  std::vector<double> directions; // of the faces, if there are any
+  std::optional<bool> weld;
+  std::optional<Array_surface> surface = std::nullopt;
+  QR::Parametrization_report<Mesh::Vertex_index> made =
+    QR::Parametrization_report<Mesh::Vertex_index>();
+  QR::Snapping_report snapped = QR::Snapping_report();
+  std::vector<Vertex_pair> released = {};
+  std::vector<double> uv = {};
+
+private:
+  void make_map()
+  {
+    Mesh& mesh = surface->mesh;
+    release_one_of_three(*surface, released);
+    const auto is_cut = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
+    const auto rotation = get(CGAL::dynamic_halfedge_property_t<int>(), mesh);
+    const auto transitions = QR::parameters::edge_is_constrained_map(surface->is_feature)
+                               .edge_is_cut_map(is_cut).halfedge_rotation_map(rotation);
+    made = QR::approximate_seamless_parametrization(
+      mesh, surface->uv_map,
+      transitions.curvature_alignment(curvature).release_alignment(true)
+        .face_direction_map(direction_map(mesh, directions)));
+    if(!made)
+      return;
+    for(const auto& [v, w] : made.released_edges) {
+      surface->is_feature[mesh.edge(mesh.halfedge(v, w))] = false;
+      released.push_back({{std::int64_t(surface->row(v)), std::int64_t(surface->row(w))}});
+    }
+    snapped = QR::snap_to_seamless(mesh, surface->uv_map, transitions);
+    if(!snapped)
+      return;
+    if(!QR::is_seamless(mesh, surface->uv_map,
+                        QR::parameters::edge_is_constrained_map(surface->is_feature)))
+      snapped.status = QR::Outcome::INTERNAL_ERROR;
+    uv.resize(6 * surface->number_of_triangles());
+    surface->write_uv(uv.data());
+  }
 };
 
-void make_map(Array_surface& surface, const double curvature, const double* const directions,
-              Made_map& result)
+py::dict dict_of(Parametrization&& map)
 {
-  release_one_of_three(surface, result.released);
-  const auto is_cut = get(CGAL::dynamic_edge_property_t<bool>(), surface.mesh);
-  const auto rotation = get(CGAL::dynamic_halfedge_property_t<int>(), surface.mesh);
-  const auto transitions = QR::parameters::edge_is_constrained_map(surface.is_feature)
-                             .edge_is_cut_map(is_cut).halfedge_rotation_map(rotation);
-  result.made = QR::approximate_seamless_parametrization(
-    surface.mesh, surface.uv_map,
-    transitions.curvature_alignment(curvature).release_alignment(true)
-      .face_direction_map(direction_map(surface.mesh, directions)));
-  if(!result.made)
-    return;
-  for(const auto& [v, w] : result.made.released_edges) {
-    surface.is_feature[surface.mesh.edge(surface.mesh.halfedge(v, w))] = false;
-    result.released.push_back({{std::int64_t(surface.row(v)), std::int64_t(surface.row(w))}});
-  }
-  result.snapped = QR::snap_to_seamless(surface.mesh, surface.uv_map, transitions);
-  if(!result.snapped)
-    return;
-  if(!QR::is_seamless(surface.mesh, surface.uv_map,
-                      QR::parameters::edge_is_constrained_map(surface.is_feature)))
-    result.snapped.status = QR::Outcome::INTERNAL_ERROR;
-  result.uv.resize(6 * surface.number_of_triangles());
-  surface.write_uv(result.uv.data());
-}
-
-py::dict dict_of(Made_map&& map, const Array_surface& surface)
-{
+  const Array_surface& surface = *map.surface;
   const QR::Report& last = map.made ? static_cast<const QR::Report&>(map.snapped) : map.made;
   py::dict result = ::dict_of(last, &surface);
-  std::vector<std::array<std::int64_t, 2> > cones;
+  std::vector<Vertex_pair> cones;
   for(const auto& [v, index] : map.made.cones)
     cones.push_back({{std::int64_t(surface.row(v)), index}});
   result["cones"] = to_array(std::move(cones));
@@ -131,20 +166,14 @@ parametrize(const Doubles& points, const Integers& triangles,
             const double curvature, const std::optional<Doubles>& directions,
             const std::optional<bool> weld, const py::object& progress)
 {
-  const Surface_arrays arrays(triangles, points, std::nullopt, features);
-  std::optional<Array_surface> surface;
-  Made_map map;
-  Call(progress).run([&] {
-    surface.emplace(arrays, weld.value_or(false));
-    check_closed_seams(*surface, weld);
-    if(align_border)
-      surface->add_border();
-    make_map(*surface, curvature, directions ? directions->data() : nullptr, map);
-  });
-  const bool has_map = map.snapped && !map.uv.empty();
-  Doubles uv = has_map ? Doubles(to_array<double>(std::move(map.uv), {triangles.shape(0), 3, 2}))
+  const std::shared_ptr<Parametrization> map(new Parametrization{
+    {triangles, points, std::nullopt, features}, align_border, curvature, copy_of(directions),
+    weld});
+  run_apart(progress, map);
+  const bool has_map = map->snapped && !map->uv.empty();
+  Doubles uv = has_map ? Doubles(to_array<double>(std::move(map->uv), {triangles.shape(0), 3, 2}))
                        : Doubles(std::vector<py::ssize_t>{0, 3, 2});
-  return {std::move(uv), dict_of(std::move(map), *surface)};
+  return {std::move(uv), dict_of(std::move(*map))};
 }
 
 } // namespace

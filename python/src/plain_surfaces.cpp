@@ -40,14 +40,14 @@ void scale_near_one(Mesh& mesh)
     p = {std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent)};
 }
 
-Direction_map direction_map(Mesh& mesh, const double* const directions)
+Direction_map direction_map(Mesh& mesh, const std::vector<double>& directions)
 {
   const Direction_map result =
     mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:direction",
                                                               Kernel::Vector_3(0, 0, 0)).first;
-  if(directions != nullptr)
+  if(!directions.empty())
     for(const Mesh::Face_index f : mesh.faces()) {
-      const double* const d = directions + 3 * std::size_t(f);
+      const double* const d = directions.data() + 3 * std::size_t(f);
       const int exponent = exponent_near_one(d, 3);
       result[f] = {std::ldexp(d[0], exponent), std::ldexp(d[1], exponent),
                    std::ldexp(d[2], exponent)};

@@ -6,6 +6,7 @@
 #include "Array_surface.h"
 
 #include <optional>
+#include <vector>
 
 using Direction_map = Mesh::Property_map<Mesh::Face_index, Kernel::Vector_3>;
 
@@ -17,6 +18,6 @@ void check_closed_seams(const Array_surface& surface, std::optional<bool> weld);
 void scale_near_one(Mesh& mesh);
 
 // Directions of the faces, of a length near 1; 0 without any.
-Direction_map direction_map(Mesh& mesh, const double* directions);
+Direction_map direction_map(Mesh& mesh, const std::vector<double>& directions);
 
 #endif // SEAMLESS_SNAPPING_PYTHON_PLAIN_SURFACES_H

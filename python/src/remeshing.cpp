@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -39,7 +41,6 @@ struct Wishes
   double adaptivity;
   std::optional<std::array<double, 4> > plane;
   bool finds_plane;
-  const double *directions, *sizes; // perhaps null
 };
 
 struct Located_quads
@@ -103,33 +104,61 @@ std::size_t most_quads(const Wishes& wishes, const Mesh& mesh, const Sizing_map&
     std::size_t((std::max)(100 * wanted, least_maximum)));
 }
 
-void make_quads(Array_surface& surface, const Wishes& wishes, Located_quads& quads)
+struct Remeshing
 {
-  const auto sizes =
-    surface.mesh.add_property_map<Mesh::Vertex_index, double>("v:size", 1.).first;
-  if(wishes.sizes != nullptr)
-    for(const auto v : surface.mesh.vertices())
-      sizes[v] = wishes.sizes[surface.row(v)];
-  quads.plane = plane_of(wishes, surface.mesh);
-  const auto np =
-    QR::parameters::edge_is_constrained_map(surface.is_feature)
-                   .curvature_alignment(wishes.curvature)
-                   .face_direction_map(direction_map(surface.mesh, wishes.directions))
-                   .curvature_adaptivity(wishes.adaptivity).vertex_sizing_map(sizes)
-                   .border_tolerance(wishes.border_tolerance)
-                   .area_threshold(wishes.area_threshold).symmetry_plane(quads.plane)
-                   .minimize_number_of_quads(wishes.coarsest)
-                   .maximum_feature_loss(wishes.feature_loss)
-                   .target_number_of_quads(wishes.number_of_quads)
-                   .maximum_number(most_quads(wishes, surface.mesh, sizes));
-  const auto make = [&](const auto& all) {
-    quads.report = QR::quad_remesh(surface.mesh, quads.mesh, all,
-                                   QR::parameters::edge_is_constrained_map(quads.is_feature)
-                                                  .vertex_location_map(quads.of_vertex)
-                                                  .face_location_map(quads.of_face));
-  };
-  wishes.edge_length ? make(np.target_edge_length(*wishes.edge_length)) : make(np);
-}
+  void run()
+  {
+    surface.emplace(std::move(arrays), weld.value_or(false));
+    check_closed_seams(*surface, weld);
+    make_quads();
+    result.emplace(quads);
+    for(const auto v : quads.mesh.vertices()) {
+      faces_of_vertices.push_back(std::int64_t(quads.of_vertex[v].first));
+      weights_of_vertices.push_back(surface->in_order_of_row(quads.of_vertex[v]));
+    }
+    for(const auto f : quads.mesh.faces())
+      faces_of_quads.push_back(std::int64_t(quads.of_face[f].first));
+  }
+
+  Surface_arrays arrays;
+  std::vector<double> directions, sizes; // of faces and of vertices, if there are any
+  Wishes wishes;
+  std::optional<bool> weld;
+  std::optional<Array_surface> surface = std::nullopt;
+  Located_quads quads = Located_quads();
+  std::optional<Quad_arrays> result = std::nullopt;
+  std::vector<std::int64_t> faces_of_vertices = {}, faces_of_quads = {};
+  std::vector<std::array<double, 3> > weights_of_vertices = {};
+
+private:
+  void make_quads()
+  {
+    Mesh& mesh = surface->mesh;
+    const auto size = mesh.add_property_map<Mesh::Vertex_index, double>("v:size", 1.).first;
+    if(!sizes.empty())
+      for(const auto v : mesh.vertices())
+        size[v] = sizes[surface->row(v)];
+    quads.plane = plane_of(wishes, mesh);
+    const auto np =
+      QR::parameters::edge_is_constrained_map(surface->is_feature)
+                     .curvature_alignment(wishes.curvature)
+                     .face_direction_map(direction_map(mesh, directions))
+                     .curvature_adaptivity(wishes.adaptivity).vertex_sizing_map(size)
+                     .border_tolerance(wishes.border_tolerance)
+                     .area_threshold(wishes.area_threshold).symmetry_plane(quads.plane)
+                     .minimize_number_of_quads(wishes.coarsest)
+                     .maximum_feature_loss(wishes.feature_loss)
+                     .target_number_of_quads(wishes.number_of_quads)
+                     .maximum_number(most_quads(wishes, mesh, size));
+    const auto make = [&](const auto& all) {
+      quads.report = QR::quad_remesh(mesh, quads.mesh, all,
+                                     QR::parameters::edge_is_constrained_map(quads.is_feature)
+                                                    .vertex_location_map(quads.of_vertex)
+                                                    .face_location_map(quads.of_face));
+    };
+    wishes.edge_length ? make(np.target_edge_length(*wishes.edge_length)) : make(np);
+  }
+};
 
 py::list list_of(const std::vector<QR::Released_feature>& features)
 {
@@ -147,6 +176,7 @@ py::dict dict_of(const QR::Remeshing_report& report, const Array_surface& surfac
   result["number_of_vertices"] = report.number_of_vertices;
   result["number_of_irregular_vertices"] = report.number_of_irregular_vertices;
   result["number_of_forced_quads"] = report.number_of_forced_quads;
+  result["has_too_many_quads"] = report.has_too_many_quads;
   result["number_of_parts_left_out"] = report.number_of_parts_left_out;
   result["area_of_parts_left_out"] = report.area_of_parts_left_out;
   result["released_features"] = list_of(report.released_features);
@@ -172,37 +202,24 @@ py::dict dict_of(const QR::Remeshing_report& report, const Array_surface& surfac
 py::tuple quad_remesh(const Doubles& points, const Integers& triangles,
                       const std::optional<Integers>& features,
                       const std::optional<Doubles>& directions, const std::optional<Doubles>& sizes,
-                      Wishes wishes, const std::optional<bool> weld, const py::object& progress)
+                      const Wishes& wishes, const std::optional<bool> weld,
+                      const py::object& progress)
 {
-  const Surface_arrays arrays(triangles, points, std::nullopt, features);
-  wishes.directions = directions ? directions->data() : nullptr;
-  wishes.sizes = sizes ? sizes->data() : nullptr;
-  std::optional<Array_surface> surface;
-  Located_quads quads;
-  std::optional<Quad_arrays> result;
-  std::vector<std::int64_t> faces_of_vertices, faces_of_quads;
-  std::vector<std::array<double, 3> > weights_of_vertices;
-  Call(progress).run([&] {
-    surface.emplace(arrays, weld.value_or(false));
-    check_closed_seams(*surface, weld);
-    make_quads(*surface, wishes, quads);
-    result.emplace(quads);
-    for(const auto v : quads.mesh.vertices()) {
-      faces_of_vertices.push_back(std::int64_t(quads.of_vertex[v].first));
-      weights_of_vertices.push_back(surface->in_order_of_row(quads.of_vertex[v]));
-    }
-    for(const auto f : quads.mesh.faces())
-      faces_of_quads.push_back(std::int64_t(quads.of_face[f].first));
-  });
-  py::dict report = dict_of(quads.report, *surface);
+  const std::shared_ptr<Remeshing> remeshing(new Remeshing{
+    {triangles, points, std::nullopt, features}, copy_of(directions), copy_of(sizes), wishes, weld});
+  run_apart(progress, remeshing);
+  const Located_quads& quads = remeshing->quads;
+  Quad_arrays& result = *remeshing->result;
+  py::dict report = dict_of(quads.report, *remeshing->surface);
+  report["has_area_threshold"] = wishes.area_threshold.has_value();
   if(quads.plane)
     report["symmetry_plane"] = std::array<double, 4>{
       {quads.plane->a(), quads.plane->b(), quads.plane->c(), quads.plane->d()}};
-  report["feature_edges"] = to_array(std::move(result->features));
-  report["faces_of_vertices"] = to_array(std::move(faces_of_vertices));
-  report["weights_of_vertices"] = to_array(std::move(weights_of_vertices));
-  report["faces_of_quads"] = to_array(std::move(faces_of_quads));
-  return py::make_tuple(to_array(std::move(result->points)), to_array(std::move(result->polygons)),
+  report["feature_edges"] = to_array(std::move(result.features));
+  report["faces_of_vertices"] = to_array(std::move(remeshing->faces_of_vertices));
+  report["weights_of_vertices"] = to_array(std::move(remeshing->weights_of_vertices));
+  report["faces_of_quads"] = to_array(std::move(remeshing->faces_of_quads));
+  return py::make_tuple(to_array(std::move(result.points)), to_array(std::move(result.polygons)),
                         report);
 }
 
@@ -218,7 +235,7 @@ void add_remeshing(py::module_& module)
                      const double adaptivity,
                      const std::optional<std::array<double, 4> >& plane, const bool finds_plane) {
       return Wishes{number, length, coarsest, maximum, loss, curvature, tolerance, threshold,
-                    adaptivity, plane, finds_plane, nullptr, nullptr};
+                    adaptivity, plane, finds_plane};
     }), py::kw_only(), py::arg("number_of_quads"), py::arg("edge_length"), py::arg("coarsest"),
         py::arg("maximum_number"), py::arg("feature_loss"), py::arg("curvature"),
         py::arg("border_tolerance"), py::arg("area_threshold"), py::arg("adaptivity"), py::arg("plane"),

@@ -8,6 +8,7 @@
 
 #include <CGAL/Linear_snapping/types/Linear_report.h>
 #include <CGAL/Linear_snapping/types/Report.h>
+#include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <string>
 #include <utility>
@@ -42,6 +43,20 @@ inline void add_distances(py::dict& result, const CGAL::Linear_snapping::Linear_
   result["largest_change"] = report.largest_change;
   result["mean_change"] = report.mean_change;
   result["step_times"] = dict_of(report.step_times);
+}
+
+// \param faces what the elements of the mesh are called: faces or cells
+inline py::dict dict_of(const CGAL::Seamless_snapping::Snapping_report& report,
+                        const std::string& faces, const Array_surface* const surface = nullptr)
+{
+  const CGAL::Linear_snapping::Report& outcome = report;
+  py::dict result = dict_of(outcome, surface);
+  add_distances(result, report);
+  result["largest_rounding"] = report.largest_rounding;
+  result[py::str("lost_" + faces)] = report.lost_faces;
+  result["remaining_flips"] = report.remaining_flips;
+  result["number_of_repaired_flips"] = report.run.number_of_repaired_flips;
+  return result;
 }
 
 #endif // SEAMLESS_SNAPPING_PYTHON_REPORTS_H

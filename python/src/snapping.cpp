@@ -9,40 +9,21 @@
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
-#include <algorithm>
+#include <array>
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace SS = CGAL::Seamless_snapping;
 
 namespace {
 
-py::dict dict_of(const SS::Snapping_report& report, const Array_surface& surface)
+struct Snapping
 {
-  py::dict result = ::dict_of(report, &surface);
-  add_distances(result, report);
-  result["largest_rounding"] = report.largest_rounding;
-  result["lost_faces"] = report.lost_faces;
-  result["remaining_flips"] = report.remaining_flips;
-  result["number_of_cut_edges"] = report.run.number_of_cut_edges;
-  result["number_of_merged_edges"] = report.run.number_of_merged_edges;
-  result["number_of_repaired_flips"] = report.run.number_of_repaired_flips;
-  result["number_of_changed_cones"] = report.run.number_of_changed_cones;
-  return result;
-}
-
-// Coordinates of the corners, and the report.
-std::pair<Doubles, py::dict>
-snap(const Integers& triangles, const Doubles& uv, const std::optional<Doubles>& points,
-     const std::optional<Integers>& features, const bool align_border, const double tolerance,
-     const bool repair_flips, const bool weld, const py::object& progress)
-{
-  const Surface_arrays arrays(triangles, points, uv, features);
-  std::optional<Array_surface> surface;
-  SS::Snapping_report report;
-  std::vector<double> result;
-  Call(progress).run([&] {
-    surface.emplace(arrays, weld);
+  void run()
+  {
+    surface.emplace(std::move(arrays), weld);
     surface->turn_if_mirrored();
     if(align_border)
       surface->add_border();
@@ -50,12 +31,34 @@ snap(const Integers& triangles, const Doubles& uv, const std::optional<Doubles>&
       surface->mesh, surface->uv_map,
       SS::parameters::edge_is_constrained_map(surface->is_feature).tolerance(tolerance)
         .repair_flips(repair_flips ? SS::Flip_repair::UNTANGLE : SS::Flip_repair::NONE));
-    result.resize(6 * arrays.number_of_triangles);
+    result.resize(6 * surface->number_of_triangles());
     surface->write_uv(result.data());
-  });
-  py::dict dict = dict_of(report, *surface);
-  dict["mirrored"] = surface->is_mirrored();
-  return {to_array<double>(std::move(result), {triangles.shape(0), 3, 2}), dict};
+  }
+
+  Surface_arrays arrays;
+  bool align_border;
+  double tolerance;
+  bool repair_flips, weld;
+  std::optional<Array_surface> surface = std::nullopt;
+  SS::Snapping_report report = SS::Snapping_report();
+  std::vector<double> result = {};
+};
+
+// Coordinates of the corners, and the report.
+std::pair<Doubles, py::dict>
+snap(const Integers& triangles, const Doubles& uv, const std::optional<Doubles>& points,
+     const std::optional<Integers>& features, const bool align_border, const double tolerance,
+     const bool repair_flips, const bool weld, const py::object& progress)
+{
+  const std::shared_ptr<Snapping> snapping(
+    new Snapping{{triangles, points, uv, features}, align_border, tolerance, repair_flips, weld});
+  run_apart(progress, snapping);
+  py::dict dict = dict_of(snapping->report, "faces", &*snapping->surface);
+  dict["number_of_cut_edges"] = snapping->report.run.number_of_cut_edges;
+  dict["number_of_merged_edges"] = snapping->report.run.number_of_merged_edges;
+  dict["number_of_changed_cones"] = snapping->report.run.number_of_changed_cones;
+  dict["mirrored"] = snapping->surface->is_mirrored();
+  return {to_array<double>(std::move(snapping->result), {triangles.shape(0), 3, 2}), dict};
 }
 
 py::dict dict_of(const SS::Seamlessness& s)
@@ -73,15 +76,11 @@ py::dict dict_of(const SS::Seamlessness& s)
                   "misalignment"_a = s.misalignment);
 }
 
-py::dict measure(const Integers& triangles, const Doubles& uv, const std::optional<Doubles>& points,
-                 const std::optional<Integers>& features, const bool align_border, const bool weld)
+struct Measurement
 {
-  const Surface_arrays arrays(triangles, points, uv, features);
-  SS::Seamlessness measured;
-  std::vector<std::array<std::int64_t, 2> > cones;
-  bool has_transitions = false;
-  Call(py::none()).run([&] {
-    Array_surface surface(arrays, weld);
+  void run()
+  {
+    Array_surface surface(std::move(arrays), weld);
     if(align_border)
       surface.add_border();
     measured = SS::measure_seamlessness(
@@ -92,9 +91,24 @@ py::dict measure(const Integers& triangles, const Doubles& uv, const std::option
     if(has_transitions)
       for(const auto& [v, index] : transitions.singular_vertices())
         cones.push_back({{std::int64_t(surface.row(v)), index}});
-  });
-  py::dict result = dict_of(measured);
-  result["cones"] = has_transitions ? py::object(to_array(std::move(cones))) : py::none();
+  }
+
+  Surface_arrays arrays;
+  bool align_border, weld;
+  SS::Seamlessness measured = {};
+  std::vector<std::array<std::int64_t, 2> > cones = {};
+  bool has_transitions = false;
+};
+
+py::dict measure(const Integers& triangles, const Doubles& uv, const std::optional<Doubles>& points,
+                 const std::optional<Integers>& features, const bool align_border, const bool weld)
+{
+  const std::shared_ptr<Measurement> measurement(
+    new Measurement{{triangles, points, uv, features}, align_border, weld});
+  run_apart(py::none(), measurement);
+  py::dict result = dict_of(measurement->measured);
+  result["cones"] = measurement->has_transitions
+                      ? py::object(to_array(std::move(measurement->cones))) : py::none();
   return result;
 }
 

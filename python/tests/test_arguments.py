@@ -47,6 +47,7 @@ def bad(value, index, with_):
     (lambda: seamless.quad_remesh(V, F, symmetry="w"), "symmetry is 'w'"),
     (lambda: seamless.quad_remesh(V, F, symmetry=[0, 0, 0, 1]), "symmetry is no plane"),
     (lambda: seamless.quad_remesh(V, F, progress=3), "progress must be a function"),
+    (lambda: seamless.quad_remesh(V, F, report=3), "report must be True or False"),
     (lambda: seamless.quad_remesh(V, np.concatenate([F, [[0, 12, 20]]])), "not manifold"),
     (lambda: seamless.quad_remesh(V, bad(F, 3, F[3][::-1])), "orient the faces consistently"),
     (lambda: seamless.sharp_edges(V, F, angle=200), "angle is 200, but must be at most 180"),

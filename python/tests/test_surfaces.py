@@ -125,6 +125,18 @@ def test_small_parts_are_told():
     assert report["number_of_parts_left_out"] == 0 and points.max() > 1.5
 
 
+def test_too_many_quads_are_told(monkeypatch):
+    V, F = refined_box(2)
+    make = seamless._core.quad_remesh
+    monkeypatch.setattr(seamless._core, "quad_remesh", lambda *arguments: tuple(
+        {**x, "has_too_many_quads": True, "number_of_inverted_quads": 7} if isinstance(x, dict) else x
+        for x in make(*arguments)))
+    with pytest.warns(UserWarning) as told:
+        seamless.quad_remesh(V, F, quads=100)
+    words = " ".join(str(warning.message) for warning in told)
+    assert "quads are more than twice as many as wanted" in words and "7 quads are inverted" in words
+
+
 def test_symmetry():
     V, F = refined_box(3)
     V = V - 0.5

@@ -84,6 +84,17 @@ def test_features():
     (lambda: seamless.snap_volume(T, UVW, feature_edges=[[0, 63]]), "feature"),
     (lambda: seamless.snap_volume(T, UVW * np.nan), "row 0 of uvw is not finite"),
     (lambda: seamless.snap_volume(T, UVW, rounding=-1), "rounding is -1"),
+    (lambda: seamless.hexahedra(np.zeros((64, 2)), T, UVW), "V has the shape"),
+    (lambda: seamless.hexahedra(np.zeros((63, 3)), T, UVW), "of T has the index 63, but V has 63 rows"),
+    (lambda: seamless.hexahedra(np.full((64, 3), np.nan), T, UVW), "row 0 of V is not finite"),
+    (lambda: seamless.hexahedra(np.zeros((64, 3)), T, UVW, 0), "hexahedra is 0, but must be from 1"),
+    (lambda: seamless.hexahedra(np.zeros((64, 3)), T, UVW, moving_rounds=-1), "moving_rounds is -1"),
+    (lambda: seamless.hexahedra(np.zeros((64, 3)), T, UVW, feature_edges=[[0, 64]]),
+     "row 0 of feature_edges has the index 64"),
+    (lambda: seamless.measure_hexahedra(np.zeros((8, 3)), [[0, 1, 2, 3]]), "H has the shape"),
+    (lambda: seamless.measure_hexahedra(np.zeros((8, 3)), [range(1, 9)]), "row 0 of H has the index 8"),
+    (lambda: seamless.measure_hexahedra(np.zeros((8, 3)), [[0, 1, 2, 3, 4, 5, 6, 0]]),
+     "row 0 of H has a vertex twice"),
     (lambda: seamless.snap_linear([[1, 2]], [0], [1.]), "A has 2 columns, but x has 1"),
     (lambda: seamless.snap_linear([[1, 2]], [0, 1], [1., 2]), "b has 2 numbers, but A has 1"),
     (lambda: seamless.snap_linear([[1, 2]], [np.nan], [1., 2]), "row 0 of b is not finite"),
@@ -96,6 +107,80 @@ def test_features():
 def test_refused(call, words):
     with pytest.raises(seamless.Error, match=words):
         call()
+
+
+def faces_of(H):
+    """The six quadrilaterals of each hexahedron, counterclockwise as seen from outside."""
+    sides = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
+    return H[:, sides].reshape(-1, 4)
+
+
+def boundary_and_volume(V, H):
+    """The faces of one hexahedron only, and six times the volume within them."""
+    faces = faces_of(H)
+    _, which, counts = np.unique(np.sort(faces, axis=1), axis=0, return_inverse=True,
+                                 return_counts=True)
+    assert counts.max() <= 2
+    boundary = faces[counts[which] == 1]
+    a, b, c, d = V[boundary].transpose(1, 0, 2)
+    return boundary, sum(np.einsum("ni,ni->", p, np.cross(q, r)) for p, q, r in ((a, b, c), (a, c, d)))
+
+
+def test_hexahedra_of_integers():
+    """The cells of the grid: their corners are vertices of the tetrahedra."""
+    V, cells, uvw = seamless.examples.volume(3)
+    V2, H, report = seamless.hexahedra(V, cells, uvw, report=True)
+    assert V2.dtype == np.float64 and H.dtype == np.int64 and H.shape == (27, 8)
+    assert len(V2) == 64 and np.abs(V2[:, None] - V).max(axis=2).min(axis=1).max() < 1e-8
+    boundary, volume = boundary_and_volume(V2, H)
+    assert len(boundary) == 54 and report["number_of_boundary_quadrilaterals"] == 54
+    sorted_rows = lambda rows: sorted(map(tuple, np.sort(rows, axis=1)))
+    assert sorted_rows(report["quadrilaterals"]) == sorted_rows(boundary)
+    assert volume > 0 and report["nonpositive_hexahedra"] == []
+    assert sorted(set(report["patches"])) == [1, 2, 3, 4, 5, 6]
+    assert report["edges"].shape == (36, 2) and report["irregular_edges"] == {}
+    shapes = seamless.measure_hexahedra(V2, H)
+    assert all(report[key] == value for key, value in shapes.items())
+    turned = seamless.measure_hexahedra(V2, H[:, [4, 5, 6, 7, 0, 1, 2, 3]])
+    assert turned["nonpositive_hexahedra"] == list(range(27))
+
+
+def test_number_of_hexahedra():
+    V, cells, uvw = seamless.examples.volume(2)
+    cube = np.array(list(itertools.product((0., 1., 2.), repeat=3)))
+    V2, H = seamless.hexahedra(cube, cells, uvw, 216)
+    assert len(H) == 216 and abs(boundary_and_volume(V2, H)[1] / 6 - 8) < 1e-7
+    assert np.abs(3 * V2 - np.round(3 * V2)).max() < 1e-7
+    with pytest.raises(seamless.Error, match="grid"):
+        seamless.hexahedra(V, cells, 0.3 * uvw)
+
+
+def test_bad_hexahedra_are_told():
+    V, cells, uvw = seamless.examples.volume(2)
+    folded = V * [1, 1, 0]
+    with pytest.warns(UserWarning, match="8 hexahedra have a corner that is not positive, the first is row 0"):
+        seamless.hexahedra(folded, cells, uvw)
+
+
+@pytest.mark.parametrize("number", [None, 1000])
+def test_program_hexes(program, tmp_path, number):
+    V, cells, uvw = seamless.examples.volume(3)
+    with open(tmp_path / "in.hexex", "w", encoding="utf-8") as file:
+        row = lambda numbers: " ".join(map(repr, numbers)) + "\n"
+        file.write(f"{len(V)}\n")
+        file.writelines(map(row, V.tolist()))
+        file.write(f"{len(cells)}\n")
+        file.writelines(row(c + u) for c, u in zip(cells.tolist(), uvw.reshape(-1, 12).tolist()))
+    program("hexes", tmp_path / "in.hexex", tmp_path / "out.vtk",
+            *(["--number", number] if number else []))
+    words = (tmp_path / "out.vtk").read_text().split()
+    table = lambda key, skip, columns: np.array(
+        words[words.index(key) + skip:][:columns * int(words[words.index(key) + 1])],
+        dtype=float).reshape(-1, columns)
+    V2, H = seamless.hexahedra(V, cells, uvw, number)
+    assert (table("POINTS", 3, 3) == V2).all()
+    in_file = table("CELLS", 3, 9)
+    assert (in_file[:, 0] == 8).all() and (in_file[:, 1:] == H).all()
 
 
 def residuals(A, b, x):

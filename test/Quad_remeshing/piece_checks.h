@@ -6,6 +6,7 @@
 #include "quad_reference.h"
 #include "test_surfaces.h"
 
+#include <CGAL/Quad_remeshing/internal/remeshing/has_too_many_quads.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 
@@ -162,8 +163,31 @@ inline void test_small_closed_pieces()
   Mesh equal;
   for(int i = 0; i < 5; ++i)
     add_octahedron(Point_3(i, 0, 0), 0.1, equal);
-  CHECK_EQUAL(QR::quad_remesh(equal, quads, QR::parameters::target_number_of_quads(2))
-                .number_of_parts_left_out, std::size_t(0));
+  const auto of_equal = QR::quad_remesh(equal, quads, QR::parameters::target_number_of_quads(2));
+  CHECK_EQUAL(of_equal.number_of_parts_left_out, std::size_t(0));
+  CHECK(of_equal.number_of_quads > 4 && !of_equal.has_too_many_quads); // five parts need more
+}
+
+// More than twice the number that is wanted has a reason if features, parts, or handles need it.
+inline void test_too_many_quads()
+{
+  const auto check = [](const surfaces::Square_complex& complex, const std::size_t needed) {
+    const Grid_map map(complex, 1, 1);
+    const std::size_t n = map.mesh.number_of_faces();
+    using QR::internal::has_too_many_quads;
+    CHECK_EQUAL(has_too_many_quads(map.mesh, 0, 0), n > 2 * needed);
+    CHECK_EQUAL(has_too_many_quads(map.mesh, double(n) / 2 - 0.1, n / 2 - 1), n > 2 * needed);
+    CHECK(!has_too_many_quads(map.mesh, double(n) / 2, 0));
+    CHECK(!has_too_many_quads(map.mesh, 0, (n + 1) / 2));
+  };
+  for(const int i : {1, 2, 3, 4}) {
+    check(surfaces::box(1, 1, i), 6);
+    check(surfaces::disc(i, i), 6);
+    check(surfaces::torus(i + 2, i + 2), 6 + 9);
+    surfaces::Square_complex complex = surfaces::box(1, 1, i);
+    complex.append(surfaces::box(i, 1, 1));
+    check(complex, 2 * 6);
+  }
 }
 
 // A vertex far away is refused and named, unless the whole piece is there.
@@ -193,6 +217,7 @@ inline void test_all()
   test_units();
   test_open_pieces();
   test_small_closed_pieces();
+  test_too_many_quads();
   test_vertex_far_away();
 }
 

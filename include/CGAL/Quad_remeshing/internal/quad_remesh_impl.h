@@ -31,6 +31,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/collapse_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/even_out_border.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/has_too_many_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/leave_out_small_parts.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
@@ -807,6 +808,9 @@ Remeshing_report remesh(Marked_surface& input, const std::optional<Mirror>& mirr
   Remeshing_report report = Quad_search(input, mirror, options, quads, is_feature).run();
   report.number_of_parts_left_out = small_parts.number();
   report.area_of_parts_left_out = small_parts.area();
+  report.has_too_many_quads =
+    report && !options.quantization.is_coarsest &&
+    has_too_many_quads(quads, options.quantization.number_of_quads, report.number_of_forced_quads);
   return report;
 }
 

@@ -61,6 +61,9 @@ struct Remeshing_report
   /// the number of quads that the features force; counted, and told in the message, only if there
   /// are clearly more quads than wanted
   std::size_t number_of_forced_quads = 0;
+  /// whether there are more than twice as many quads as wanted, although neither features nor the
+  /// topology of the surface force them; never with `minimize_number_of_quads`
+  bool has_too_many_quads = false;
   /// connected parts whose quads are more than three times as long, or as short, as wanted; faces
   /// are those of the input
   std::vector<Part_of_other_size> parts_of_other_size;

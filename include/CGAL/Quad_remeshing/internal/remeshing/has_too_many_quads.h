@@ -1,0 +1,62 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_HAS_TOO_MANY_QUADS_H
+#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_HAS_TOO_MANY_QUADS_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// Whether there are many more quads than wanted, and nothing in the input is a reason for them.
+
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+// About as many quads as a surface of this topology takes at least.
+template <typename Mesh>
+double number_for_topology(const Mesh& mesh)
+{
+  constexpr double of_part = 6, of_handle = 9; // of a closed surface
+  std::vector<std::size_t> part(mesh.num_faces());
+  const double parts = double(CGAL::Polygon_mesh_processing::connected_components(
+    mesh, CGAL::make_property_map(part)));
+  std::vector<typename Mesh::Halfedge_index> loops;
+  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(loops));
+  const double euler_characteristic = double(mesh.number_of_vertices()) +
+                                      double(mesh.number_of_faces()) -
+                                      double(mesh.number_of_edges());
+  const double handles = (2 * parts - double(loops.size()) - euler_characteristic) / 2;
+  return of_part * parts + of_handle * handles;
+}
+
+template <typename Mesh>
+bool has_too_many_quads(const Mesh& quads, const double wanted, const std::size_t forced)
+{
+  const double number = double(quads.number_of_faces());
+  return number > 2 * (std::max)(wanted, double(forced)) &&
+         number > 2 * number_for_topology(quads);
+}
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_HAS_TOO_MANY_QUADS_H
