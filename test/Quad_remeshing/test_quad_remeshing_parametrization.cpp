@@ -719,6 +719,33 @@ void test_cones_of_spheres()
     }
 }
 
+// The ends of a capsule of few segments, whose faces are then divided in their planes: next to the
+// poles, single bends tell of the mesh, and the surface is symmetric around its axis. The cones of
+// an end are still far from the pole and from each other. Without alignment, they are as far apart.
+void test_cones_of_divided_ends()
+{
+  constexpr double least = 0.45, strength = 0.002; // a cone at the pole has the distance 0
+  for(const auto& [n, height] : {std::make_pair(12u, 1.), std::make_pair(12u, 3.),
+                                 std::make_pair(24u, 3.)})
+    for(const bool is_alternating : {false, true}) {
+      Mesh mesh = capsule(n, height, is_alternating);
+      CGAL::Subdivision_method_3::PTQ(mesh, Linear_mask{mesh},
+                                      CGAL::parameters::number_of_iterations(1));
+      const std::string context = "capsule of " + std::to_string(2 * n) + " segments, height " +
+                                  std::to_string(height);
+      const Report report = QR::approximate_seamless_parametrization(
+        mesh, new_uv_map(mesh), parameters::curvature_alignment(strength));
+      CHECK_IN(context, report.cones.size() == 8);
+      for(const auto& [v, index] : report.cones) {
+        const Point_3& p = mesh.point(v);
+        CHECK_IN(context, index == 1);
+        CHECK_IN(context, p.x() * p.x() + p.y() * p.y() > least * least);
+        for(const auto& [w, other] : report.cones)
+          CHECK_IN(context, v == w || CGAL::squared_distance(p, mesh.point(w)) > least * least);
+      }
+    }
+}
+
 // A cone of 8 half turns has no room in the 6 faces around a vertex: no round of stiffening helps,
 // but those that fail must not cost the coordinates either.
 void test_unavoidable_flips()
@@ -1303,6 +1330,7 @@ int main()
   test_cone_distance();
   test_fields_near_cones();
   test_cones_of_spheres();
+  test_cones_of_divided_ends();
   test_unavoidable_flips();
   for(unsigned int seed = 0; seed < 20; ++seed)
     test_release(seed);

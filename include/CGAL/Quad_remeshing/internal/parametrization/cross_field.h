@@ -142,11 +142,16 @@ inline void normalize_components(const Cross_graph& graph, Prescribed_field& fie
 }
 
 // The eigenvector of the smallest eigenvalue by inverse iteration, in components without any
-// prescribed node; the harmonic field in the others.
+// prescribed node; the harmonic field in the others, slightly disturbed: if the free part of a
+// surface is symmetric around an axis, such as the cap of a capsule, all of its cones would meet in
+// one zero of the field. Random right-hand sides give a smooth disturbance, mostly of the fields of
+// the smallest eigenvalues. It is about a hundredth as long as the field, whatever the size.
 inline Prescribed_field harmonic_field(const Cross_graph& graph, const Prescribed_field& prescribed,
                                        const unsigned int seed, Timed_solver& solver)
 {
-  const double shift = 1e-3 / static_cast<double>(graph.size()) / graph.mean_mass;
+  constexpr double disturbance = 0.3; // divided by the root of the size
+  const double size = static_cast<double>(graph.size());
+  const double shift = 1e-3 / size / graph.mean_mass;
   std::vector<char> has_prescribed(graph.number_of_components, false);
   for(std::size_t f = 0; f < graph.size(); ++f)
     if(prescribed[f] != Complex(0))
@@ -164,7 +169,7 @@ inline Prescribed_field harmonic_field(const Cross_graph& graph, const Prescribe
   for(int i = 0; i < number_of_iterations; ++i) {
     for(std::size_t f = 0; f < graph.size(); ++f)
       if(has_prescribed[graph.component[f]])
-        field[f] = 0;
+        field[f] = std::polar(disturbance / std::sqrt(size), random.get_double(-pi, pi));
     field = system.solve(field);
     std::vector<Complex> free_part = field;
     normalize_components(graph, free_part);
@@ -267,6 +272,16 @@ inline Wanted_field restrict(const Clusters& clusters, const Cross_graph& graph,
   return result;
 }
 
+inline double root_mean_square(const Cross_graph& graph, const Prescribed_field& field)
+{
+  double sum = 0, area = 0;
+  for(std::size_t f = 0; f < graph.size(); ++f) {
+    sum += graph.area[f] * std::norm(field[f]);
+    area += graph.area[f];
+  }
+  return std::sqrt(sum / area);
+}
+
 // Where no crosses are wanted, the smoothest field that continues the one that they direct.
 inline Prescribed_field solve_directly(const Cross_graph& graph, const Wanted_field& wanted,
                                        const unsigned int seed, Timed_solver& solver)
@@ -278,8 +293,12 @@ inline Prescribed_field solve_directly(const Cross_graph& graph, const Wanted_fi
       z *= wanted.strength;
     Cross_field_system system(graph, wanted.prescribed, wanted.strength, 1., solver);
     const Prescribed_field field = system.solve(crosses);
+    // A short field is near a zero, and has no direction of its own. If faces at the pole of a
+    // round end kept it, all cones of the end would stay there.
+    constexpr double least_length = 0.4; // of the mean
+    const double least = least_length * root_mean_square(graph, field);
     for(std::size_t f = 0; f < graph.size(); ++f)
-      if(crosses[f] != Complex(0))
+      if(crosses[f] != Complex(0) && std::abs(field[f]) >= least)
         prescribed[f] = unit_cross(field[f]);
     if(std::find(prescribed.begin(), prescribed.end(), Complex(0)) == prescribed.end())
       return field;
