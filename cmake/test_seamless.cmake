@@ -991,6 +991,19 @@ expect_message("${json}" "\"number_of_parts_left_out\": 1")
 seamless(0 remesh pieces.off pieces_quads.off --number 50 --area-threshold 1e-5)
 expect("left out: ${out}" NOT out MATCHES "left out")
 
+# repairs of flips that leave inverted quads, or a point of one edge: a number of quads mends both
+set(maps "$ENV{SEAMLESS_SNAPPING_DATA_DIR}/uv")
+if(EXISTS "${maps}/qex_duck_miq_4.obj" AND EXISTS "${maps}/qex_fandisk.obj")
+  seamless(5 quads "${maps}/qex_duck_miq_4.obj" repaired.obj --repair-flips)
+  expect_message("${err}" "inverted; --number 1073 makes about as many and moves their vertices")
+  seamless(0 quads "${maps}/qex_duck_miq_4.obj" repaired.obj --repair-flips --number 1073)
+  seamless(1 quads "${maps}/qex_fandisk.obj" repaired.obj --repair-flips)
+  expect_message("${err}" "make about as many quads by --number, which leaves out its quad")
+  seamless(0 quads "${maps}/qex_fandisk.obj" repaired.obj --repair-flips --number 897)
+else()
+  message(STATUS "skipped: repaired maps, as SEAMLESS_SNAPPING_DATA_DIR names no folder with uv")
+endif()
+
 # no figures of an earlier run stay where the input can't be read
 file(WRITE "${WORK_DIR}/stale.json" "stale")
 seamless(3 remesh few.txt far_quads.off --report stale.json)

@@ -41,11 +41,12 @@ void write_inverted_quads(std::ostream& os, const std::size_t number,
   os << " of " << filename << "\n";
 }
 
-void check_inverted_quads(const std::size_t number, const std::string& filename)
+void check_inverted_quads(const std::size_t number, const std::string& filename,
+                          const std::string& remedy)
 {
   if(number > 0)
     throw Failure(STILL_FLIPPED, filename + ": written, but " + counted(number, "quad") +
-                                   (number == 1 ? " stays" : " stay") + " inverted");
+                                   (number == 1 ? " stays" : " stay") + " inverted" + remedy);
 }
 
 void write_displacement(std::ostream& os, const std::size_t number, const double largest)

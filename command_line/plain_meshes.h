@@ -20,7 +20,8 @@ struct Quad_soup
 void check_quad_file(const std::string& filename);
 
 // Throws `Failure` if there are any, after all files were written.
-void check_inverted_quads(std::size_t number, const std::string& filename);
+void check_inverted_quads(std::size_t number, const std::string& filename,
+                          const std::string& remedy = "");
 
 // Warns of quads that are inverted, and names the first, as the file that was written counts them.
 void write_inverted_quads(std::ostream& os, std::size_t number,

@@ -191,6 +191,11 @@ void check_report(const Quad_options& options, const Model& model, const Result&
   std::string why =
     in_words_of_user(has_flips ? flips_message(options, model, report.nonpositive_faces)
                                : to_string(report.status) + (": " + report.message), model);
+  if(options.number == 0) {
+    static const char* const words[][2] = {{"have the mesh remeshed by 'seamless remesh', which",
+                                            "make about as many quads by --number, which"}};
+    why = with_words(why, words);
+  }
   if(!result.why_rounded.empty())
     why += "; integers at any distance are tried, as " + result.why_rounded;
   throw Failure(NOT_SOLVED, options.input + ": " + why);
@@ -305,7 +310,7 @@ double part_left_out(const QR::Extraction_report& report)
 
 // By the integers that are near in the map itself, if there are and make about the number; or by a
 // quantization, also where that can't make so few, so that it never makes more than for a larger
-// number; or, where faces are flipped, by integers at any distance. Where the border is not meant
+// number, and if fewer quads are inverted in it; or, where faces are flipped, by integers at any distance. Where the border is not meant
 // to be aligned, a quantization comes last, as it follows the border edge by edge: where there are
 // no quads otherwise, or they leave out more than half of the area.
 void make_number_of_quads(const Quad_options& options, Model& model, Result& result)
@@ -330,12 +335,15 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
   if(is_aligned)
     quantization = quantize(options, model, result);
   const double least = static_cast<double>(quantization.number_of_quads);
-  if(is_near && !(quantization && least > (1 + tolerance) * options.number)) {
+  const bool is_chosen = is_near && !(quantization && least > (1 + tolerance) * options.number);
+  const std::size_t number_inverted = near_by.report.number_of_inverted_quads;
+  if(quantization && !(is_chosen && number_inverted == 0))
+    extract_quantized(options, model, quantization, result);
+  if(is_chosen && !(quantization && result.report &&
+                    result.report.number_of_inverted_quads < number_inverted))
     result = std::move(near_by);
+  if(is_chosen || quantization)
     return;
-  }
-  if(quantization)
-    return extract_quantized(options, model, quantization, result);
   restore();
   const double any = std::numeric_limits<double>::infinity();
   extract_rounded(options, model, options.has_rounding ? options.rounding : any, result);
@@ -490,7 +498,10 @@ void quads(const Arguments& arguments)
     result.patches = write_patches(result.mesh, result.is_feature, options.patches);
     write_summary(os, options, result);
     if(!options.soup) // which is asked for to see them
-      check_inverted_quads(result.report.number_of_inverted_quads, options.output);
+      check_inverted_quads(result.report.number_of_inverted_quads, options.output,
+                           options.number > 0 || result.report.number_of_cut_cells > 0 ? "" :
+                             "; --number " + std::to_string(result.report.number_of_faces) +
+                             " makes about as many and moves their vertices");
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())
