@@ -15,6 +15,9 @@
 #include "grid_reference.h"
 #include "random_systems.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -96,6 +99,35 @@ void test_laplace_grid(const int k, const unsigned int seed)
   const Values before(x);
   snap("Laplace grid, k = " + std::to_string(k), c, x);
   CHECK(largest_difference(before, x) < 1e-8);
+}
+
+// --- few unknowns more than rows -----------------------------------------------------------------
+
+// Each row has an unknown that no later row has, and three later unknowns at random. Elimination
+// keeps these rows, but the matrix of their products fills in. The reference is dense.
+void test_few_free_unknowns(const std::size_t number_of_rows, const std::size_t number_free,
+                            const unsigned int seed)
+{
+  Random random(seed);
+  const std::size_t n = number_of_rows + number_free;
+  Constraints c(n);
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(Eigen::Index(number_of_rows), Eigen::Index(n));
+  for(std::size_t i = 0; i < number_of_rows; ++i) {
+    std::map<std::size_t, std::int64_t> row{{i, 1}};
+    while(row.size() < 4)
+      row[i + 1 + random() % (n - i - 1)] = random() % 2 == 0 ? 1 : -1;
+    c.add_constraint({row.begin(), row.end()});
+    for(const auto& [column, coefficient] : row)
+      rows(Eigen::Index(i), Eigen::Index(column)) = double(coefficient);
+  }
+  Values x(n);
+  for(double& value : x)
+    value = random_real(random);
+  const Eigen::VectorXd before = Eigen::Map<const Eigen::VectorXd>(x.data(), Eigen::Index(n));
+  snap("few free unknowns, seed " + std::to_string(seed), c, x);
+  const Eigen::VectorXd optimum =
+    before - rows.transpose() * (rows * rows.transpose()).ldlt().solve(rows * before);
+  CHECK(largest_difference(x, Values(optimum.data(), optimum.data() + n)) < 1e-9);
 }
 
 // --- refinements ---------------------------------------------------------------------------------
@@ -666,6 +698,8 @@ int main(int argc, char** argv)
     test_knapsack_row(n, 40, 1);
   for(const int k : {10, 20, 30})
     test_laplace_grid(k, 1);
+  for(unsigned int i = 1; i <= 3; ++i)
+    test_few_free_unknowns(600, 3 * i, i);
   for(unsigned int i = 1; i <= 20; ++i)
     test_refinement(i, 200, 20 * i, i % 2 == 0);
   return report_checks();

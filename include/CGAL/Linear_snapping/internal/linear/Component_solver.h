@@ -169,7 +169,21 @@ public:
 
   // How the optimum answers to shifts of the values.
   Eigen::VectorXd displacements(const Eigen::VectorXd& shifts) const
-  { return projection().nearest_difference(shifts); }
+  {
+    const Least_squares_projection& target = projection(); // which chooses the system
+    if(!m_is_projected_in_form)
+      return target.nearest_difference(shifts);
+    Eigen::VectorXd all(Eigen::Index(m_form.pivot_rows.number_of_columns()));
+    Eigen::Index size = shifts.size();
+    all.head(size) = shifts;
+    for(const Entries<std::int64_t>& terms : m_form.auxiliary_unknowns) {
+      all[size] = 0;
+      for(const Entry<std::int64_t>& e : terms)
+        all[size] += double(e.coefficient) * all[e.column];
+      ++size;
+    }
+    return target.nearest_difference(all).head(shifts.size());
+  }
 
 private:
   static constexpr std::size_t most_rows_to_reduce = 300;
@@ -225,12 +239,52 @@ private:
     return rows;
   }
 
+  // The work of a factorization from which on the null space takes less; infinite if elimination
+  // did not end with a triangular form of the unknowns.
+  double work_before_null_space() const
+  {
+    constexpr double least = 1e6;  // multiplications: about a millisecond
+    constexpr double factor = 4;   // leaves solutions as they are if little is gained
+    const Integer_system& form = m_form.pivot_rows;
+    if(m_core != nullptr || !m_form.multiples.empty())
+      return std::numeric_limits<double>::infinity();
+    return (std::max)(least, factor * Null_space_solver::work(double(form.number_of_columns()),
+                                                              double(form.number_of_rows()),
+                                                              double(form.number_of_entries())));
+  }
+
+  // Nothing if most digits would be lost.
+  std::unique_ptr<Least_squares_projection> projection_by_null_space() const
+  {
+    std::vector<Row_index> all_rows(m_form.pivot_rows.number_of_rows());
+    std::iota(all_rows.begin(), all_rows.end(), 0);
+    auto result = std::make_unique<Least_squares_projection>(m_form.pivot_rows,
+                                                             m_form.pivot_columns,
+                                                             m_weights.size(), all_rows,
+                                                             all_weights());
+    if(result->is_ill_conditioned())
+      return nullptr;
+    m_is_projected_in_form = true;
+    return result;
+  }
+
+  const Integer_system& projected_system() const
+  {
+    return m_is_projected_in_form ? m_form.pivot_rows
+           : m_reduced_rows == nullptr ? m_system : *m_reduced_rows;
+  }
+
   const Least_squares_projection& projection() const
   {
     if(m_projection != nullptr)
       return *m_projection;
     const std::vector<Row_index> rows = independent_rows();
-    m_projection = std::make_unique<Least_squares_projection>(m_system, rows, m_weights);
+    m_projection = std::make_unique<Least_squares_projection>(m_system, rows, m_weights,
+                                                              work_before_null_space());
+    if(m_projection->is_too_costly())
+      m_projection = projection_by_null_space();
+    if(m_projection == nullptr)
+      m_projection = std::make_unique<Least_squares_projection>(m_system, rows, m_weights);
     if(m_projection->is_ill_conditioned() && rows.size() <= most_rows_to_reduce) {
       m_reduced_rows = std::make_unique<Integer_system>(reduced_rows(m_system, rows, m_weights));
       std::vector<Row_index> all_rows(rows.size());
@@ -336,12 +390,15 @@ private:
   {
     // A single solution lies on the coarsest grid.
     const bool may_be_finer =
-      m_may_be_finer && projection().number_of_rows() < m_system.number_of_columns();
+      m_may_be_finer && projection().number_of_rows() < projected_system().number_of_columns();
     // Where values shrink by much, each round makes up for the rounding errors of the last one.
     double size = std::numeric_limits<double>::infinity(); // the optimum, in steps of the grid
     for(bool again = true; again;) {
-      projection().project(m_reduced_rows == nullptr ? m_system : *m_reduced_rows,
-                           right_hand_shift(solution.grid), solution.optimum);
+      const Least_squares_projection& target = projection(); // which chooses the system
+      if(m_is_projected_in_form)
+        add_auxiliary_unknowns(solution.optimum);
+      target.project(projected_system(), right_hand_shift(solution.grid), solution.optimum);
+      solution.optimum.resize(m_weights.size());
       const double previous = size;
       size = largest_value(solution);
       again = size >= machine_integer_bound && size < previous / 2;
@@ -532,6 +589,7 @@ private:
   bool m_is_homogeneous = true;
   mutable std::unique_ptr<Least_squares_projection> m_projection;
   mutable std::unique_ptr<Integer_system> m_reduced_rows; // its rows, if not the system's
+  mutable bool m_is_projected_in_form = false;            // its rows are pivot rows
   mutable std::unique_ptr<Core_solver> m_whole; // if back-substitution led far away
   mutable bool m_may_be_whole = true;
 };

@@ -24,6 +24,7 @@
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/Orthogonal_frame.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
@@ -32,6 +33,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -138,9 +140,90 @@ struct Symmetric_ordering
   }
 };
 
+// Solves equations that are triangular and have few unknowns more than rows: by a basis of all
+// differences between solutions, which is dense. Elimination keeps rows sparse whose normal matrix
+// fills in.
+class Null_space_solver
+{
+public:
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Vector = Eigen::VectorXd;
+
+  // \param rows as columns
+  // \param pivots an unknown for each row, which is in no row that follows
+  // \param number_of_unknowns whose squares count; any others follow
+  Null_space_solver(const Matrix& rows, const std::vector<Column_index>& pivots,
+                    const std::size_t number_of_unknowns)
+    : m_rows(rows), m_pivots(pivots), m_number_of_unknowns(Eigen::Index(number_of_unknowns))
+  {
+    std::vector<bool> is_free(std::size_t(rows.rows()), true);
+    for(const Column_index p : pivots)
+      is_free[std::size_t(p)] = false;
+    m_basis = Basis::Zero(rows.rows(), rows.rows() - rows.cols());
+    Eigen::Index k = 0;
+    for(std::size_t j = 0; j < is_free.size(); ++j)
+      if(is_free[j])
+        m_basis(Eigen::Index(j), k++) = 1;
+    substitute(Eigen::MatrixXd::Zero(rows.cols(), k), m_basis);
+    m_factors.compute(counted(m_basis).transpose() * counted(m_basis));
+  }
+
+  // How many multiplications the constructor takes.
+  static double work(const double number_of_unknowns, const double number_of_rows,
+                     const double number_of_coefficients)
+  {
+    const double k = number_of_unknowns - number_of_rows;
+    return k * (number_of_coefficients + k * number_of_unknowns / 2);
+  }
+
+  // Whether the basis is nearly dependent, so that most digits are lost.
+  bool is_ill_conditioned() const
+  {
+    return m_factors.info() != Eigen::Success || !m_basis.allFinite() ||
+           !(m_factors.vectorD().minCoeff() > 1e-7 * m_factors.vectorD().maxCoeff());
+  }
+
+  // The shortest y with M^T y = r, up to rounding.
+  Vector solve(const Vector& r) const
+  {
+    Basis y = Basis::Zero(m_rows.rows(), 1);
+    substitute(r, y);
+    const Vector multipliers = m_factors.solve(counted(m_basis).transpose() * counted(y));
+    return y - m_basis * multipliers;
+  }
+
+private:
+  using Basis = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  Basis counted(const Basis& y) const { return y.topRows(m_number_of_unknowns); }
+
+  // Sets the unknowns that are pivots, for each column of right-hand sides.
+  void substitute(const Eigen::MatrixXd& r, Basis& y) const
+  {
+    for(std::size_t i = m_pivots.size(); i-- > 0;) {
+      const Eigen::Index p = m_pivots[i];
+      Eigen::RowVectorXd sum = r.row(Eigen::Index(i));
+      double pivot = 1;
+      for(Matrix::InnerIterator e(m_rows, Eigen::Index(i)); e; ++e)
+        if(e.row() == p)
+          pivot = e.value();
+        else
+          sum -= e.value() * y.row(e.row());
+      y.row(p) = sum / pivot;
+    }
+  }
+
+  const Matrix& m_rows;
+  const std::vector<Column_index>& m_pivots;
+  Eigen::Index m_number_of_unknowns;
+  Basis m_basis;
+  Eigen::LDLT<Eigen::MatrixXd> m_factors; // of the products of the basis
+};
+
 // The linear algebra of the projection, for one set of independent rows. Invariant: the normal
-// matrix M^T M of the rows is factorized, where M holds them as columns, or, where unknowns that
-// many rows share would make it dense, the matrix (I M; M^T -d) with a small d.
+// matrix M^T M of the rows is factorized, where M holds them as columns; or, where unknowns that
+// many rows share would make it dense, the matrix (I M; M^T -d) with a small d; or rows that are
+// triangular have a solver of their own.
 class Least_squares_projection
 {
   using Matrix = Eigen::SparseMatrix<double>;
@@ -149,26 +232,49 @@ class Least_squares_projection
 
 public:
   // \param weights one per column, positive
+  // \param most_work more multiplications than this are not made
   Least_squares_projection(const Integer_system& system, std::vector<Row_index> independent_rows,
-                           const std::vector<double>& weights)
-    : m_row_indices(std::move(independent_rows)), m_scales(Eigen::Index(weights.size())),
-      m_row_scales(Eigen::Index(m_row_indices.size()))
+                           const std::vector<double>& weights,
+                           const double most_work = std::numeric_limits<double>::infinity())
+    : Least_squares_projection(std::move(independent_rows), weights)
   {
-    for(std::size_t j = 0; j < weights.size(); ++j)
-      m_scales[Eigen::Index(j)] = 1. / std::sqrt(weights[j]);
     if(m_row_indices.empty())
       return;
     set_rows(system);
     const Rows by_unknown(m_rows);
     m_is_augmented =
       number_of_products(by_unknown) > 100 * std::size_t(m_rows.nonZeros()) + 1000000;
-    m_factors.compute(m_is_augmented ? augmented_matrix(by_unknown) : normal_matrix(by_unknown));
+    const Matrix matrix =
+      m_is_augmented ? augmented_matrix(by_unknown) : normal_matrix(by_unknown);
+    m_factors.analyzePattern(matrix);
+    m_is_too_costly = m_factors.number_of_multiplications() > most_work;
+    if(m_is_too_costly)
+      return;
+    m_factors.factorize(matrix);
     // a pivot is the square of the distance of a row, of length 1, from the rows before it
     m_is_ill_conditioned =
       m_factors.info() != Eigen::Success || !(m_factors.vectorD().cwiseAbs().minCoeff() > 1e-7);
   }
 
+  // \param system its rows are triangular, with pivots and unknowns as `Null_space_solver` takes
+  //        them
+  Least_squares_projection(const Integer_system& system, const std::vector<Column_index>& pivots,
+                           const std::size_t number_of_unknowns, std::vector<Row_index> all_rows,
+                           const std::vector<double>& weights)
+    : Least_squares_projection(std::move(all_rows), weights)
+  {
+    set_rows(system);
+    m_null_space.emplace(m_rows, pivots, number_of_unknowns);
+    m_is_ill_conditioned = m_null_space->is_ill_conditioned();
+  }
+
+  Least_squares_projection(const Least_squares_projection&) = delete;
+  Least_squares_projection& operator=(const Least_squares_projection&) = delete;
+
   std::size_t number_of_rows() const { return m_row_indices.size(); }
+
+  // Whether it would take too much work, and can't be used.
+  bool is_too_costly() const { return m_is_too_costly; }
 
   // Whether rows are so nearly dependent that most digits are lost.
   bool is_ill_conditioned() const { return m_is_ill_conditioned; }
@@ -212,6 +318,21 @@ public:
   }
 
 private:
+  // Tells how much work a factorization is.
+  struct Factors : public Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Symmetric_ordering>
+  {
+    double number_of_multiplications() const
+    { return m_nonZerosPerCol.template cast<double>().squaredNorm(); }
+  };
+
+  Least_squares_projection(std::vector<Row_index> rows, const std::vector<double>& weights)
+    : m_row_indices(std::move(rows)), m_scales(Eigen::Index(weights.size())),
+      m_row_scales(Eigen::Index(m_row_indices.size()))
+  {
+    for(std::size_t j = 0; j < weights.size(); ++j)
+      m_scales[Eigen::Index(j)] = 1. / std::sqrt(weights[j]);
+  }
+
   static void move(const Vector& step, const double factor, std::vector<Grid_value>& values)
   {
     for(std::size_t j = 0; j < values.size(); ++j)
@@ -316,6 +437,8 @@ private:
   // The shortest y with M^T y = r, up to rounding and what d does.
   Vector solve(const Vector& r) const
   {
+    if(m_null_space)
+      return m_null_space->solve(r);
     if(!m_is_augmented) {
       const Vector multipliers = m_factors.solve(r); // a vector: expressions compile slowly
       return m_rows * multipliers;
@@ -340,8 +463,10 @@ private:
   Vector m_scales; // 1/sqrt(w)
   Vector m_row_scales;
   Matrix m_rows; // as columns
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Symmetric_ordering> m_factors;
+  Factors m_factors;
+  std::optional<Null_space_solver> m_null_space; // in place of factors
   bool m_is_augmented = false;
+  bool m_is_too_costly = false;
   bool m_is_ill_conditioned = false;
 };
 
