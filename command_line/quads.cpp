@@ -192,8 +192,9 @@ void check_report(const Quad_options& options, const Model& model, const Result&
     in_words_of_user(has_flips ? flips_message(options, model, report.nonpositive_faces)
                                : to_string(report.status) + (": " + report.message), model);
   if(options.number == 0) {
-    static const char* const words[][2] = {{"have the mesh remeshed by 'seamless remesh', which",
-                                            "make about as many quads by --number, which"}};
+    static const char* const words[][2] = {
+      {"have the mesh remeshed by 'seamless remesh', which leaves out its quad",
+       "make about as many quads by --number, which leaves out its quad"}};
     why = with_words(why, words);
   }
   if(!result.why_rounded.empty())
@@ -310,9 +311,10 @@ double part_left_out(const QR::Extraction_report& report)
 
 // By the integers that are near in the map itself, if there are and make about the number; or by a
 // quantization, also where that can't make so few, so that it never makes more than for a larger
-// number, and if fewer quads are inverted in it; or, where faces are flipped, by integers at any distance. Where the border is not meant
-// to be aligned, a quantization comes last, as it follows the border edge by edge: where there are
-// no quads otherwise, or they leave out more than half of the area.
+// number, and if fewer quads are inverted in it; or, where faces are flipped, by integers at any
+// distance. Where the border is not meant to be aligned, a quantization comes last, as it follows
+// the border edge by edge: where there are no quads otherwise, or they leave out more than half of
+// the area.
 void make_number_of_quads(const Quad_options& options, Model& model, Result& result)
 {
   constexpr double tolerance = 0.05;
