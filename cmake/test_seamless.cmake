@@ -14,6 +14,72 @@ string(CONCAT words_of_library "[a-z_]+\\(\\)|[a-z]\\((true|false|[0-9]+)\\)|CGA
   "needs_face_graph|_map[^a-z_.]|symmetry_plane|rotational_symmetry|_tolerance|curvature_|"
   "maximum_feature_loss|number_of_untangling")
 
+# Values for options that remedies name; others take none.
+set(value_of_--number 40)
+set(value_of_--grid-scale 2)
+set(value_of_--tolerance 0.5)
+set(value_of_--rounding 0.5)
+set(value_of_--maximum-number 100000)
+set(value_of_--area-threshold 0)
+set(value_of_--feature-angle 0)
+set(value_of_--feature-loss 1)
+
+# Each option that a message names is one of the command that says so, or of one that the same
+# clause names. If the command failed, it then takes the option, or the output of the named command,
+# and says something else. All runs are in a copy of the folder.
+function(try_remedies status text command)
+  string(REGEX REPLACE "[;\n]+" ";" clauses "${text}")
+  string(REGEX MATCH "[^;]+[.]hexex" volume "${ARGN}") # whose helps differ
+  foreach(clause IN LISTS clauses)
+    set(help "")
+    set(remedy "")
+    if(clause MATCHES "'(seamless )?(snap|quads|remesh|parametrize)[' ]")
+      set(remedy "${CMAKE_MATCH_2}")
+      execute_process(COMMAND "${SEAMLESS}" ${remedy} ${volume} --help OUTPUT_VARIABLE help)
+    endif()
+    execute_process(COMMAND "${SEAMLESS}" ${command} ${volume} --help OUTPUT_VARIABLE own_help)
+    string(REGEX MATCHALL "--[a-z][a-z-]+" options "${clause}")
+    foreach(option IN LISTS options)
+      if(NOT option IN_LIST ARGN AND NOT "${help}${own_help}" MATCHES "\n  ${option}[ \n]")
+        message(SEND_ERROR "seamless ${command} ${ARGN}: no option ${option}:\n${text}")
+      endif()
+    endforeach()
+    if(NOT status EQUAL 1 OR NOT clause MATCHES "^ ")
+      continue()
+    endif()
+    file(REMOVE_RECURSE "${WORK_DIR}_remedies")
+    file(COPY "${WORK_DIR}/" DESTINATION "${WORK_DIR}_remedies" NO_SOURCE_PERMISSIONS)
+    set(arguments ${ARGN})
+    if(remedy STREQUAL "snap")
+      list(GET ARGN 0 input)
+      get_filename_component(suffix "${input}" EXT)
+      execute_process(COMMAND "${SEAMLESS}" snap ${input} remedied${suffix} ${options}
+        WORKING_DIRECTORY "${WORK_DIR}_remedies" OUTPUT_QUIET ERROR_QUIET)
+      list(REMOVE_AT arguments 0)
+      list(INSERT arguments 0 remedied${suffix})
+      set(options "")
+    elseif(remedy)
+      continue()
+    endif()
+    foreach(option IN LISTS options)
+      list(FIND arguments ${option} place)
+      if(place GREATER -1 AND NOT DEFINED value_of_${option})
+        continue()
+      elseif(place GREATER -1)
+        list(REMOVE_AT arguments ${place})
+        list(REMOVE_AT arguments ${place})
+      endif()
+      execute_process(COMMAND "${SEAMLESS}" ${command} ${arguments} ${option} ${value_of_${option}}
+        WORKING_DIRECTORY "${WORK_DIR}_remedies" RESULT_VARIABLE result OUTPUT_VARIABLE out
+        ERROR_VARIABLE err)
+      if(result EQUAL 2 OR "${out}${err}" STREQUAL text)
+        message(SEND_ERROR
+          "seamless ${command} ${arguments}: ${option} is no remedy:\n${text}${err}")
+      endif()
+    endforeach()
+  endforeach()
+endfunction()
+
 # Runs the program; what it writes to the standard streams is in `out` and `err`.
 function(seamless expected_status)
   execute_process(COMMAND "${SEAMLESS}" ${ARGN} WORKING_DIRECTORY "${WORK_DIR}"
@@ -24,6 +90,9 @@ function(seamless expected_status)
   # no function and no parameter of the library in what it says
   if("${out}${err}" MATCHES "${words_of_library}")
     message(SEND_ERROR "seamless ${ARGN}: '${CMAKE_MATCH_0}' in\n${out}${err}")
+  endif()
+  if("${err}" MATCHES "--[a-z]" AND NOT expected_status EQUAL 2)
+    try_remedies(${expected_status} "${out}${err}" ${ARGN})
   endif()
   set(out "${out}" PARENT_SCOPE)
   set(err "${err}" PARENT_SCOPE)
@@ -748,7 +817,7 @@ expect_message("${json}" "\"of_quads\":{\"border_loops\":1,\"euler_characteristi
 file(REMOVE "${WORK_DIR}/quads.obj")
 seamless(1 quads ring.obj quads.obj)
 expect_message("${err}" "no face graph")
-expect_message("${err}" "scale the map up by --grid-scale or --number, try --soup")
+expect_message("${err}" "scale the map up by --grid-scale or --number, or try --soup or 'sea")
 expect_message("${err}" "seamless remesh")
 seamless(0 quads ring.obj quads.obj --soup)
 expect_message("${out}" "1 quad, 2 vertices\n")

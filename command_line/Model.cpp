@@ -29,91 +29,6 @@ namespace SS = CGAL::Seamless_snapping;
 
 namespace {
 
-// This program snaps for rotations by multiples of 90 degrees only.
-std::string with_symmetry_in_words(std::string message)
-{
-  const std::string hint = "; the map is seamless for N = ";
-  const std::size_t begin = message.find(hint);
-  if(begin == message.npos)
-    return message;
-  const int N = std::stoi(message.substr(begin + hint.size()));
-  const std::size_t end = (std::min)(message.find(">())", begin), message.size() - 4) + 4;
-  return message.replace(begin, end - begin,
-                         "; the map is seamless for rotations by multiples of " +
-                           std::to_string(360 / N) + " degrees" +
-                           (message.find("in lattice", begin) < end
-                              ? ", in coordinates of a triangular lattice" : "") +
-                           ", but this program makes maps exact for multiples of 90 degrees only");
-}
-
-// Options in place of the library's named parameters and functions. Of phrases that contain each
-// other, the longer ones come first.
-std::string with_options(const std::string& message)
-{
-  static const char* const words[][2] = {
-    // remedies
-    {"by snap_to_seamless() with repair_flips(true)", "by --repair-flips"},
-    {"repair them by repair_integer_grid(), or leave out the cells around them: allow_holes(true)",
-     "try --repair-flips, or leave out the quads around them by --allow-holes"},
-    {"; snap_to_seamless() with integer_grid(true) and align_border(true) moves it to the grid",
-     "; --align-border moves it to the grid"},
-    {"call snap_to_seamless() with integer_grid(true) first, or double the map: grid_scale(2)",
-     "ask for a number of quads by --number, or double the map by --grid-scale 2"},
-    {"call snap_to_seamless() with integer_grid(true) first", "ask for a number of quads by --number"},
-    {"call snap_to_seamless() with align_border(true)", "run 'seamless snap' with --align-border"},
-    {"call snap_to_seamless() with the same edge_is_constrained_map",
-     "run 'seamless snap' with --features"},
-    {"call snap_to_seamless() first", "run 'seamless snap' first"},
-    {"; snap with align_border(true)", "; run 'seamless snap' with --align-border"},
-    {"snap the map by snap_to_seamless()", "run 'seamless snap'"},
-    {"pass the map through snap_to_seamless()", "run 'seamless snap' on the map"},
-    {"or scale before the map is made exact, by snap_to_seamless() with grid_scale",
-     "or scale before 'seamless snap'"},
-    {"raise the tolerance", "raise --tolerance"},
-    {"; raise it to at least this distance, or scale the map up by grid_scale",
-     "; ask for a number of quads by --number, which finds integers for each map without flips, or "
-     "raise it to at least this distance"},
-    {"set target_edge_length to about the length of an edge", "scale the mesh to about the size 1"},
-    {"and at most maximum_number; see target_number_of_quads and target_edge_length",
-     "and at most --maximum-number; see --number, --edge-length, and --sizes"},
-    {"quantize to more quads, or with needs_face_graph(true), or call extract_quad_soup()",
-     "ask for more quads by --number, or try --soup"},
-    {" quantize() with needs_face_graph(true), which leaves out its quad, or call "
-     "extract_quad_soup()",
-     " have the mesh remeshed by 'seamless remesh', which leaves out its quad, or try --soup"},
-    {"by grid_scale, or call extract_quad_soup()",
-     "by grid_scale, try --soup, or have the mesh remeshed by 'seamless remesh', which always makes "
-     "a mesh of quads"},
-    {"call extract_quad_soup()", "try --soup"},
-    {"; raise maximum_number, or shrink the map by grid_scale",
-     "; shrink the map by --grid-scale, or ask for fewer by --number"},
-    {"; raise maximum_number, or let curves end where they meet others",
-     "; let curves end where they meet others: leave out --base-complex"},
-    {"; raise maximum_number, or ", "; "},
-    {"see CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()",
-     "'seamless parametrize' takes them apart"},
-    {"quad_remesh() makes", "'seamless remesh' makes"},
-    {"apply convert_to_lattice_coordinates()", "convert them"},
-    // quantities
-    {"can't be multiplied by grid_scale", "can't be multiplied by --grid-scale"},
-    {"by grid_scale", "by --grid-scale or --number"},
-    {"grid_scale", "--grid-scale"},
-    {"more than maximum_number", "more than --maximum-number"},
-    {"which is maximum_number", "which is --maximum-number"},
-    {"minimize_number_of_quads(true)", "--coarsest"},
-    {"maximum_feature_loss", "--feature-loss"},
-    {"symmetry_plane", "--symmetry"},
-    {"curvature_alignment", "--curvature"},
-    {"curvature_adaptivity must", "--adaptivity must"},
-    {"vertex_sizing_map and curvature_adaptivity", "--sizes and --adaptivity"},
-    {"border_tolerance", "--border-tolerance"},
-    {"connection_tolerance", "twice --near, or 0.01,"},
-    {"the rounding_tolerance is", "--rounding is"},
-    {"Flip_repair::UNTANGLE changes", "--repair-flips changes"},
-    {"number_of_untangling_iterations", "--untangling-iterations"}};
-  return with_words(with_symmetry_in_words(message), words);
-}
-
 // Names of formats are suffixes.
 const char* const obj = "obj";
 const char* const ply = "ply";
@@ -233,17 +148,8 @@ void parse(const Reading_options& options, Model& model)
   model.is_float = options.in_float;
   const SS::IO::File_status status = model.is_float ? read_as<float>(options.weld, model)
                                                     : read_as<double>(options.weld, model);
-  if(!status) {
-    const bool lacks_coordinates =
-      status.message.find("has no texture coordinate") != status.message.npos ||
-      status.message.find("has no list texcoord") != status.message.npos;
-    const bool is_manifold = status.message.find("is not manifold") == status.message.npos;
-    throw Failure(UNREADABLE, model.filename + ": " + status.message +
-                                (lacks_coordinates ? "; 'seamless parametrize' computes some"
-                                 : is_manifold     ? ""
-                                                   : "; 'seamless parametrize' cuts such edges, and "
-                                                     "computes other coordinates"));
-  }
+  if(!status)
+    throw Failure(UNREADABLE, model.filename + ": " + in_words_of_user(status.message));
   model.is_mirrored = area_in_domain(model).first < 0;
   if(model.is_mirrored)
     exchange_coordinates(model);
@@ -407,7 +313,7 @@ std::string text_of_model(const Model& model, const std::string& filename)
     is_of_file ? model.file.rewrite(text, model.mesh, model.uv_map)
                : write_as(format, model, text);
   if(!status)
-    throw Failure(UNWRITABLE, filename + ": " + status.message);
+    throw Failure(UNWRITABLE, filename + ": " + in_words_of_user(status.message));
   SS::IO::Mesh_text written(std::move(text), format);
   if(!reads_back(model, written, is_of_file))
     throw Failure(UNWRITABLE, filename + ": does not read back as it was written; not written");
@@ -434,24 +340,11 @@ Uv_map copy_of_uv_map(Model& model)
   return copy;
 }
 
-std::string in_words_of_user(const std::string& message, const Model& model)
+std::string in_words_of_user(const Message& message, const Model& model)
 {
-  const auto number_in_file = [&](const std::string& kind, const std::size_t i) {
-    const auto& numbers = kind == "face" ? model.file_faces : model.file_vertices;
-    return (i < numbers.size() ? numbers[i] : i) + model.first_number;
-  };
-  std::string result, kind; // the kind of element that the last word was about
-  std::istringstream words(with_options(message));
-  for(std::string word; words >> word; ) {
-    const std::size_t digits = (std::min)(word.find_first_not_of("0123456789"), word.size());
-    const std::string rest = word.substr(digits), noun = word.substr(word[0] == '(' ? 1 : 0);
-    if(!kind.empty() && digits > 0 && rest.find_first_not_of(",;:.)") == rest.npos)
-      word = std::to_string(number_in_file(kind, std::stoul(word))) + rest;
-    else if(noun == "vertex" || noun == "vertices" || noun == "face")
-      kind = noun;
-    else if(!(kind == "vertices" && word == "and")) // as in "vertices 1 and 2"
-      kind.clear();
-    result += (result.empty() ? "" : " ") + word;
-  }
-  return result;
+  return message.str(words_of_program, [&](const Message::Part& part) {
+    const auto& numbers = part.kind == Message::FACE ? model.file_faces : model.file_vertices;
+    return part.kind == Message::ELEMENT ? part.index :
+      (part.index < numbers.size() ? numbers[part.index] : part.index) + model.first_number;
+  });
 }

@@ -19,6 +19,7 @@ using Halfedge = Mesh::Halfedge_index;
 using Edge = Mesh::Edge_index;
 using Uv_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
 using Edge_bool_map = Mesh::Property_map<Edge, bool>;
+using Message = CGAL::Seamless_snapping::Message;
 
 // The property maps belong to `mesh`, so that a model is neither copied nor moved.
 struct Model
@@ -111,6 +112,6 @@ Uv_map copy_of_uv_map(Model& model);
 
 // What the library says, in the words of the command line: vertices and faces, which the library
 // counts from 0, as the file counts them, and options in place of named parameters.
-std::string in_words_of_user(const std::string& message, const Model& model);
+std::string in_words_of_user(const Message& message, const Model& model);
 
 #endif // SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H

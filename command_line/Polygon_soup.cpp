@@ -2,6 +2,7 @@
 
 #include "Failure.h"
 #include "files.h"
+#include "words.h"
 
 #include <sstream>
 #include <string>
@@ -17,7 +18,7 @@ Polygon_soup read_polygon_soup(const std::string& filename)
                                    ? IO::read_polygon_soup(text, soup)
                                    : IO::read_polygon_soup(filename, soup);
   if(!status)
-    throw Failure(UNREADABLE, filename + ": " + status.message);
+    throw Failure(UNREADABLE, filename + ": " + in_words_of_user(status.message));
   soup.first_number = soup.format == "obj" ? 1 : 0;
   return soup;
 }

@@ -118,11 +118,10 @@ Summary::Summary(const Model& model, const Alignment& alignment)
   }
 }
 
-std::string to_text(const CGAL::Seamless_snapping::Snapping_report& report)
+std::string in_words_of_user(const CGAL::Seamless_snapping::Snapping_report& report,
+                             const Model& model)
 {
-  std::ostringstream os;
-  os << report;
-  return os.str();
+  return in_words_of_user(to_string(report.status) + (": " + report.message), model);
 }
 
 void check_snapped(const CGAL::Seamless_snapping::Snapping_report& report, const Model& model,
@@ -133,9 +132,10 @@ void check_snapped(const CGAL::Seamless_snapping::Snapping_report& report, const
   if(const std::string far = note_on_far_coordinate(model); !far.empty())
     throw Failure(NOT_SOLVED, model.filename + ": " + to_string(report.status) + ": " + far);
   const Misfits misfits = count_misfits(model, tolerance);
-  const std::string words = in_words_of_user(to_text(report), model); // of an atlas, without remedies
-  const auto end = misfits.looks_like_atlas() ? words.find(';') : words.npos;
-  throw Failure(NOT_SOLVED, model.filename + ": " + words.substr(0, end) +
+  CGAL::Seamless_snapping::Snapping_report told(report);
+  if(misfits.looks_like_atlas()) // for which no remedy serves
+    told.message = report.message.without_remedies();
+  throw Failure(NOT_SOLVED, model.filename + ": " + in_words_of_user(told, model) +
                               (misfits.number_of_misfits > 0 ? "\n" + to_text(misfits) : ""));
 }
 

@@ -27,7 +27,8 @@ struct Summary
 };
 
 // Status and message.
-std::string to_text(const CGAL::Seamless_snapping::Snapping_report& report);
+std::string in_words_of_user(const CGAL::Seamless_snapping::Snapping_report& report,
+                             const Model& model);
 
 // Throws `Failure` unless the model was snapped: why not, and what its cut edges look like.
 void check_snapped(const CGAL::Seamless_snapping::Snapping_report& report, const Model& model,

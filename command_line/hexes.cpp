@@ -82,7 +82,7 @@ HM::IO::HEXEX_mesh read(const std::string& filename)
   HM::IO::HEXEX_mesh mesh;
   std::istringstream is(read_file(filename));
   if(const auto status = HM::IO::read_HEXEX(is, mesh); !status)
-    throw Failure(UNREADABLE, filename + ": " + status.message);
+    throw Failure(UNREADABLE, filename + ": " + in_words_of_user(status.message));
   return mesh;
 }
 
@@ -109,23 +109,6 @@ HM::Hexahedral_meshing_report make_hexahedra(const Hexahedra_options& options,
                              np.target_number_of_hexahedra(number).maximum_number(most));
 }
 
-// In the words of the command line.
-std::string with_options(const std::string& message)
-{
-  static const char* const words[][2] = {
-    {"but the rounding_tolerance is", "but without --number it may move by"},
-    {"; raise it to at least this distance, or scale the map up by grid_scale",
-     "; ask for a number of hexahedra by --number, which rounds at any distance"},
-    {"scale the map up by grid_scale", "ask for more hexahedra by --number"},
-    {"snap_volume_to_seamless()", "'seamless snap'"},
-    {"with integer_grid(true)", "with --integer-grid"},
-    {"with repair_flips(Flip_repair::UNTANGLE)", "with --repair-flips"},
-    {"with grid_scale", "by 'seamless snap --grid-scale'"},
-    {"grid_scale", "--number"},
-    {"raise maximum_number", "raise --maximum-number"}};
-  return with_words(message, words);
-}
-
 void write_mesh(const std::string& output, const HM::Hexahedral_mesh& mesh)
 {
   std::ostringstream os;
@@ -134,7 +117,7 @@ void write_mesh(const std::string& output, const HM::Hexahedral_mesh& mesh)
                       : suffix == "vtk" ? HM::IO::write_VTK(os, mesh)
                                         : HM::IO::write_OVM(os, mesh);
   if(!status)
-    throw Failure(UNWRITABLE, output + ": " + status.message);
+    throw Failure(UNWRITABLE, output + ": " + in_words_of_user(status.message));
   write_file(output, os.str());
 }
 
@@ -182,7 +165,7 @@ void write_summary(std::ostream& os, const HM::Hexahedral_meshing_report& report
      << counted(report.number_of_boundary_quadrilaterals, "quadrilateral") << " on the boundary\n";
   if(!report.reason_for_more.empty())
     os << "no fewer were found: with " << std::size_t(number) << ", "
-       << with_options(report.reason_for_more) << "\n";
+       << in_words_of_user(report.reason_for_more) << "\n";
   os << "interior edges that are irregular:";
   for(const auto& [n, edges] : report.irregular_edges)
     os << " " << edges << " with " << n << " hexahedra;";
@@ -211,7 +194,7 @@ void hexes(const Arguments& arguments)
     json["hexahedra"] = json_of(report, mesh);
     if(!report)
       throw Failure(NOT_SOLVED, options.input + ": " + to_string(report.status) + ": " +
-                                  with_options(report.message));
+                                  in_words_of_user(report.message));
     write_mesh(options.output, mesh);
     if(!options.picture.empty())
       write_file(options.picture, hexahedra_picture(mesh));

@@ -77,7 +77,7 @@ IL::Snapping_report snap(const Layout_options& options, Model& model, const Alig
   const IL::Snapping_report report = snap_in_double(model, alignment, options.seams);
   check_snapped(report, model, options.seams.tolerance);
   if(report.status == IL::Outcome::FLIPS_REMAIN)
-    throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_text(report), model));
+    throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(report, model));
   return report;
 }
 

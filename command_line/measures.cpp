@@ -161,8 +161,9 @@ std::string note_on_far_coordinate(const Model& model)
     return std::make_pair(!is_far(a), a) < std::make_pair(!is_far(b), b);
   });
   std::ostringstream os;
-  os << "vertex " << std::size_t(mesh.target(h)) << " has, in face " << std::size_t(mesh.face(h))
-     << ", the coordinate " << size(h) << ", while the median of all is " << median
+  os << ", the coordinate " << size(h) << ", while the median of all is " << median
      << "; correct it";
-  return in_words_of_user(os.str(), model);
+  return in_words_of_user(Message(Message::VERTEX, "vertex", std::size_t(mesh.target(h))) +
+                            " has, in " + Message(Message::FACE, "face", std::size_t(mesh.face(h))) +
+                            os.str(), model);
 }

@@ -122,6 +122,11 @@ struct Outcome
   }
 };
 
+Message name_of_vertices(const std::size_t v, const std::size_t w)
+{
+  return Message(Message::VERTEX, "vertices", v) + " and " + Message(Message::VERTEX, "", w);
+}
+
 void write_made(std::ostream& os, const Outcome& outcome, const Model& model)
 {
   const auto& made = outcome.made;
@@ -131,8 +136,8 @@ void write_made(std::ostream& os, const Outcome& outcome, const Model& model)
      << counted(made.number_of_flipped_faces, "flipped face") << ", violation "
      << made.violation / made.extent << " of the extent" << std::endl;
   for(const auto& [v, w] : made.released_edges)
-    os << in_words_of_user("not aligned, as faces would be flipped: the edge of the vertices " +
-                             std::to_string(v) + " and " + std::to_string(w), model) << "\n";
+    os << in_words_of_user("not aligned, as faces would be flipped: the edge of the " +
+                             name_of_vertices(v, w), model) << "\n";
 }
 
 // The features, which become fewer, and the border if that is asked for.
@@ -150,9 +155,9 @@ Edge_bool_map aligned_edges(const Parametrize_options& options, Model& model, Ou
   if(!released.empty())
     os << in_words_of_user(
             "not aligned, as all three of a face would be: " + counted(released.size(), "edge") +
-              ", the first is that of the vertices " +
-              std::to_string(mesh.vertex(released.front(), 0)) + " and " +
-              std::to_string(mesh.vertex(released.front(), 1)), model) << "\n";
+              ", the first is that of the " +
+              name_of_vertices(mesh.vertex(released.front(), 0), mesh.vertex(released.front(), 1)),
+            model) << "\n";
   return result;
 }
 

@@ -170,14 +170,13 @@ QR::Quantization quantize(const Quad_options& options, Model& model, Result& res
 }
 
 // In the words of the command line.
-std::string flips_message(const Quad_options& options, const Model& model,
-                          const std::vector<std::size_t>& faces)
+Message flips_message(const Quad_options& options, const Model& model,
+                      const std::vector<std::size_t>& faces)
 {
   if(faces.size() == model.mesh.number_of_faces())
     return "no face of the integer-grid map has a positive area" + other_coordinates;
   return counted(faces.size(), "face") + " of the integer-grid map" + is_or_are(faces.size()) +
-         "flipped or degenerate, the first is face " +
-         std::to_string(faces.front()) +
+         "flipped or degenerate, the first is " + Message(Message::FACE, "face", faces.front()) +
          "; ask for more quads, " + (options.seams.repair_flips ? "" : "try --repair-flips, ") +
          "or leave out the quads around these faces by --allow-holes";
 }
@@ -191,12 +190,6 @@ void check_report(const Quad_options& options, const Model& model, const Result&
   std::string why =
     in_words_of_user(has_flips ? flips_message(options, model, report.nonpositive_faces)
                                : to_string(report.status) + (": " + report.message), model);
-  if(options.number == 0) {
-    static const char* const words[][2] = {
-      {"have the mesh remeshed by 'seamless remesh', which leaves out its quad",
-       "make about as many quads by --number, which leaves out its quad"}};
-    why = with_words(why, words);
-  }
   if(!result.why_rounded.empty())
     why += "; integers at any distance are tried, as " + result.why_rounded;
   throw Failure(NOT_SOLVED, options.input + ": " + why);
@@ -248,17 +241,6 @@ bool has_aligned_border(Model& model, const Quad_options& options)
   return 3 * number_of_others <= number;
 }
 
-// Without the remedies that no option here is for.
-std::string message_of(const QR::Quantization& quantization, const Model& model)
-{
-  static const char* const words[][2] = {
-    {". That is more than maximum_number: raise it, or ask for about as many, mark fewer features, "
-     "or release some by maximum_feature_loss",
-     ": ask for about as many, or mark fewer features"},
-    {"; some features can be released by maximum_feature_loss", ""}};
-  return in_words_of_user(with_words(quantization.message, words), model);
-}
-
 // The quads of the same quantization, in a better shape.
 void extract_and_smooth(const Quad_options& options, const Model& model,
                         const QR::Quantization& quantization, Result& result)
@@ -287,7 +269,7 @@ void extract_quantized(const Quad_options& options, const Model& model,
 {
   result.integers = "of a quantization";
   if(!quantization.message.empty())
-    result.integers += "; " + message_of(quantization, model);
+    result.integers += "; " + in_words_of_user(quantization.message, model);
   extract(options, result, QR::parameters::default_values(), quantization, model.mesh);
   const std::size_t number = result.report.number_of_inverted_quads;
   const bool has_steps = quantization.number_of_unaligned_border_edges > 0;
@@ -350,7 +332,7 @@ void make_number_of_quads(const Quad_options& options, Model& model, Result& res
   const double any = std::numeric_limits<double>::infinity();
   extract_rounded(options, model, options.has_rounding ? options.rounding : any, result);
   result.why_rounded =
-    is_aligned ? "there is no quantization: " + message_of(quantization, model)
+    is_aligned ? "there is no quantization: " + in_words_of_user(quantization.message, model)
                : "most of the border lies on no isocurve";
   result.integers = "at any distance, as " + result.why_rounded;
   if(is_aligned || (result.report && part_left_out(result.report) <= 0.5))

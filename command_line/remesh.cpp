@@ -307,13 +307,6 @@ QR::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
                                  : make_at_most(parameters);
 }
 
-std::string why_not(const QR::Remeshing_report& report, const Model& model)
-{
-  static const char* const words[][2] = {{"shrink the map by --grid-scale, or ask", "ask"}};
-  return with_words(in_words_of_user(to_string(report.status) + (": " + report.message), model),
-                    words);
-}
-
 // That a plane has no half on its other side, which would be replaced; or that what replaces it is
 // much different; else nothing.
 std::string note_on_plane(const Remesh_options& options,
@@ -357,7 +350,8 @@ std::string note_on_pieces(const QR::Remeshing_report& report, const Model& mode
        << "; --area-threshold 0 keeps all\n";
   const auto& parts = report.parts_of_other_size;
   for(std::size_t i = 0; i < parts.size() && i < most; ++i)
-    os << in_words_of_user("warning: the piece with face " + std::to_string(parts[i].face), model)
+    os << in_words_of_user("warning: the piece with " +
+                           Message(Message::FACE, "face", parts[i].face), model)
        << " has " << counted(parts[i].number_of_quads, "quad") << " in place of "
        << parts[i].number_wanted << " of the wanted size\n";
   if(parts.size() > most)
@@ -453,7 +447,7 @@ struct Remesh_outcome
   {
     nlohmann::json result = {{"written", is_written},
                              {"status", to_string(report.status)},
-                             {"message", is_written ? report.message : message},
+                             {"message", is_written ? report.message.str() : message},
                              {"input", json_of(repairs)},
                              {"number_of_forced_quads", report.number_of_forced_quads},
                              {"released_features", json_of(report.released_features)},
@@ -524,7 +518,7 @@ void remesh(const Arguments& arguments)
     QR::Remeshing_report& report = outcome.report;
     report = make_quads(options, model, directions, sizes, plane, quads);
     if(!report)
-      throw Failure(NOT_SOLVED, options.input + ": " + why_not(report, model));
+      throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_string(report.status) + (": " + report.message), model));
     report.message = in_words_of_user(report.message, model);
     outcome.topologies = {Topology(model.mesh), Topology(quads.mesh)};
     os << note_on_pieces(report, model)

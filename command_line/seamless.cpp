@@ -62,6 +62,7 @@ void run(Arguments arguments)
     throw Failure(USAGE, name.empty() ? "a command is needed"
                                       : "'" + name + "' is not a command");
   }
+  speak_for(command->name);
   try {
     command->run(Arguments(arguments.begin() + 1, arguments.end()));
   } catch(const std::bad_alloc&) {

@@ -142,7 +142,7 @@ void snap(const Arguments& arguments)
     write_results(options, model, old_uv_map, summary);
     if(summary.report.status == SS::Outcome::FLIPS_REMAIN)
       throw Failure(STILL_FLIPPED,
-                    options.input + ": " + in_words_of_user(to_text(summary.report), model));
+                    options.input + ": " + in_words_of_user(summary.report, model));
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())

@@ -186,7 +186,8 @@ IL::Snapping_report snap(const Model& model, const Uv_map uv_map,
     throw Failure(NOT_SOLVED, options.exact_input + ": not exactly seamless; 'seamless snap' makes "
                                                     "it so");
   std::cout << "snapping with " << connections.size() << " connections and " << cycles.size()
-            << " cycles: " << to_text(report) << ", largest change " << report.largest_change;
+            << " cycles: " << in_words_of_user(report, model) << ", largest change "
+            << report.largest_change;
   if(report.extent > 0)
     std::cout << ", that is " << report.largest_change / report.extent << " of the extent";
   std::cout << std::endl;

@@ -107,7 +107,7 @@ struct Volume
       time = time_of_file();
     read_from([&](std::istream& is) {
       if(const auto status = Snapping::IO::read_HEXEX(is, mesh); !status)
-        throw Failure(UNREADABLE, filename + ": " + status.message);
+        throw Failure(UNREADABLE, filename + ": " + in_words_of_user(status.message));
     });
     if(mesh.number_of_rounded_coordinates > 0)
       std::cerr << "note: " << filename << ": "
@@ -128,7 +128,7 @@ struct Volume
     write_file(output, [&](std::ostream& os) {
       read_from([&](std::istream& is) {
         if(const auto status = Snapping::IO::rewrite_HEXEX(is, os, mesh.uvw); !status)
-          throw Failure(UNWRITABLE, output + ": " + status.message);
+          throw Failure(UNWRITABLE, output + ": " + in_words_of_user(status.message));
       });
     });
   }
@@ -179,17 +179,6 @@ struct Volume_options
       .tolerance(tolerance);
   }
 };
-
-std::string with_options(const std::string& message)
-{
-  static const char* const words[][2] = {
-    {"pass align_boundary(false)", "give --free-boundary; for features, --ignore-features"},
-    {"grid_scale", "--grid-scale"},
-    {"the rounding_tolerance is", "--rounding is"},
-    {"Flip_repair::UNTANGLE changes", "--repair-flips changes"},
-    {"number_of_untangling_iterations", "--untangling-iterations"}};
-  return with_words(message, words);
-}
 
 Snapping::Volume_seamlessness measure(Volume& volume, const Volume_options& options)
 {
@@ -352,8 +341,8 @@ void check_volume(const Arguments& arguments)
     Snapping::Volume_seamlessness result;
     try {
       result = measure(volume, volume_options);
-    } catch(const std::invalid_argument& error) { // what is wrong with cells or features
-      throw Failure(NOT_SOLVED, input + ": " + with_options(error.what()));
+    } catch(const Snapping::Invalid_input& error) { // what is wrong with cells or features
+      throw Failure(NOT_SOLVED, input + ": " + in_words_of_user(error.message));
     }
     os << result;
     json["measured"] = json_of(result);
@@ -456,7 +445,7 @@ void snap_volume(const Arguments& arguments)
     json["snapping"] = json_of(report);
     json["grid_scale"] = scale;
     if(!report)
-      throw Failure(NOT_SOLVED, input + ": " + with_options(report.message));
+      throw Failure(NOT_SOLVED, input + ": " + in_words_of_user(report.message));
     const Snapping::Volume_seamlessness after = measure(volume, volume_options);
     json["after"] = json_of(after);
     Snapping::Volume_integer_grid_measure grid;
@@ -495,9 +484,9 @@ void snap_volume(const Arguments& arguments)
     if(report.run.number_of_repaired_flips > 0)
       os << report.run.number_of_repaired_flips << " flipped or degenerate cells repaired\n";
     if(report.status == Snapping::Outcome::SNAPPED && !report.message.empty())
-      os << "note: " << with_options(report.message) << "\n";
+      os << "note: " << in_words_of_user(report.message) << "\n";
     if(report.status == Snapping::Outcome::FLIPS_REMAIN)
-      throw Failure(STILL_FLIPPED, input + ": " + with_options(report.message));
+      throw Failure(STILL_FLIPPED, input + ": " + in_words_of_user(report.message));
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     json["exact"] = is_written(status);

@@ -5,6 +5,7 @@ import re
 # What the library says of its own parameters and functions, and what stands for it here. The first
 # entry that fits a place counts, so that longer ones come first.
 _WORDS = (
+    (r"; CGAL::Polygon_mesh_processing::orient_polygon_soup\(\) cuts it", ""),
     (r"; raise it to at least this distance, or scale the map up by grid_scale",
      "; raise it to at least this distance, scale the map up by grid_scale, or pass a number of quads"),
     (r"snap_(?:volume_)?to_seamless\(\) with repair_flips\((?:true|Flip_repair::UNTANGLE)\)",

@@ -83,7 +83,7 @@ private:
     std::optional<Result> result =
       extract_rounded(m_wishes.rounding.value_or(std::numeric_limits<double>::infinity()));
     result->integers = "at any distance, because " +
-                       (is_aligned ? "there is no quantization: " + quantization.message
+                       (is_aligned ? "there is no quantization: " + quantization.message.str()
                                    : std::string("most of the border lies on no isocurve"));
     if(is_aligned || (result->report && result->part_left_out() <= 0.5))
       return result;

@@ -76,7 +76,7 @@ py::dict dict_of(const HM::Hexahedral_meshing_report& report, const HM::Hexahedr
   result["irregular_edges"] = report.irregular_edges;
   result["grid_scale"] = report.grid_scale;
   result["number_of_attempts"] = report.number_of_attempts;
-  result["reason_for_more"] = report.reason_for_more;
+  result["reason_for_more"] = report.reason_for_more.str();
   result["shapes_before"] = dict_of(report.shapes_before);
   result["quadrilaterals"] = rows_of_points(mesh.quadrilaterals);
   result["patches"] = array_of(mesh.patches);

@@ -29,7 +29,7 @@ inline py::dict dict_of(const CGAL::Linear_snapping::Report& report,
 {
   using namespace py::literals;
   py::dict result("success"_a = bool(report), "status"_a = to_string(report.status),
-                  "message"_a = report.message);
+                  "message"_a = report.message.str());
   if(surface != nullptr)
     if(auto rows = renamed(surface->rows()); !rows.empty())
       result["rows"] = std::move(rows);

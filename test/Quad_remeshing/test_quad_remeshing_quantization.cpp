@@ -1336,8 +1336,8 @@ void test_folded_squares(const surfaces::Square_complex& complex, const int i,
     map.mesh, map.uv, parameters::target_number_of_quads(std::size_t(folded.number_of_squares())));
   CHECK_EQUAL(quantization.number_of_quads, std::size_t(folded.number_of_squares()));
   Mesh quads;
-  for(const std::string& message : {QR::extract_quad_mesh(map.mesh, map.uv, quads).message,
-                                    QR::extract_quad_mesh(quantization, map.mesh, quads).message})
+  for(const std::string message : {QR::extract_quad_mesh(map.mesh, map.uv, quads).message,
+                                  QR::extract_quad_mesh(quantization, map.mesh, quads).message})
     CHECK_IN(message, message.find("has only one edge, at any scale; quantize() with ") !=
                         message.npos && quads.is_empty());
   const auto location = quads.add_property_map<Vertex, Location>("v:location").first;

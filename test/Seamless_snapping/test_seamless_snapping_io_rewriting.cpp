@@ -278,7 +278,7 @@ void test_polygons()
   const auto message = [&soup](const std::string& text, const std::string& format) {
     std::istringstream is(text);
     const SS::IO::File_status status = SS::IO::read_polygon_soup(is, soup, format);
-    CHECK_EQUAL(status.line != 0, status.message.substr(0, 5) == "line ");
+    CHECK_EQUAL(status.line != 0, status.message.str().substr(0, 5) == "line ");
     return status.message;
   };
   const std::string off = "OFF # a comment\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 1e-3\n";

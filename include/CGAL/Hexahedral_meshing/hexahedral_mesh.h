@@ -172,7 +172,8 @@ public:
     if(m_target > 0)
       m_report.message += "; with " + counted(m_report.number_of_attempts, "scale") +
                           ", for up to " + std::to_string(m_most) +
-                          " hexahedra, none was without such faults; raise maximum_number";
+                          " hexahedra, none was without such faults" +
+                          remedy("raise maximum_number");
   }
 
 private:

@@ -133,7 +133,7 @@ public:
 
   /// returns the reason, the place, and the remedy if there is no layout. Otherwise, returns a note
   /// on a border that does not lie on isocurves, if there is one.
-  const std::string& message() const { return m_data->message; }
+  const Message& message() const { return m_data->message; }
 
   /// returns the faces that are flipped or degenerate in the domain, in the order of iteration over
   /// all faces, from 0. If there are any, the outcome is `NOT_POSITIVE`.
@@ -415,8 +415,8 @@ void read_and_make_layout(const TriangleMesh& tmesh, const Flat_numbering<Triang
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   input.vertex_name = [&](const std::size_t v) {
     const Corner_index h = data.domain.mesh.corner_at_vertex[v];
-    return std::to_string(
-      get(vertex_indices, target(numbering.halfedges_of_corners()[std::size_t(h)], tmesh)));
+    return name_of_vertex(std::size_t(
+      get(vertex_indices, target(numbering.halfedges_of_corners()[std::size_t(h)], tmesh))));
   };
   make_layout(std::move(input), data);
 }

@@ -197,7 +197,7 @@ A connection constraint whose isocurve does not arrive, as `intercepted_connecti
 struct Intercepted_connection
 {
   std::size_t index;   ///< the place in the range of connections
-  std::string message; ///< the constraint, and the end of its isocurve
+  Message message;     ///< the constraint, and the end of its isocurve
 };
 
 namespace internal {
@@ -253,21 +253,21 @@ Isocurve<TriangleMesh> trace_connection(const Isocurve_tracer<TriangleMesh, D>& 
 // \param point the distance of ends that may have become one point, with nothing between
 // \pre the map is exact
 template <typename TriangleMesh, int D, typename VertexIndexMap>
-std::string obstacle_of_connection(const Isocurve_tracer<TriangleMesh, D>& tracer,
-                                   const Connection_constraint<TriangleMesh>& connection,
-                                   const double point, const VertexIndexMap& vertex_indices)
+Message obstacle_of_connection(const Isocurve_tracer<TriangleMesh, D>& tracer,
+                               const Connection_constraint<TriangleMesh>& connection,
+                               const double point, const VertexIndexMap& vertex_indices)
 {
   const double change = displacement(tracer, connection)
     [other_coordinate(direction_of_connection(connection.component))];
   if(std::abs(change) <= point)
-    return std::string();
+    return {};
   const auto curve = trace_connection(tracer, connection, change);
   if(curve.status == Isocurve_status::TARGET)
-    return std::string();
+    return {};
   if(curve.status != Isocurve_status::SINGULAR_VERTEX)
     return "does not arrive at its end";
   const auto v = target(curve.points.back().halfedge(), tracer.mesh());
-  return "ends at vertex " + std::to_string(get(vertex_indices, v)) + " before its end";
+  return "ends at " + name_of_vertex(std::size_t(get(vertex_indices, v))) + " before its end";
 }
 
 } // namespace internal
@@ -319,10 +319,11 @@ intercepted_connections(const Isocurve_tracer<TriangleMesh, D>& tracer,
   std::vector<Intercepted_connection> result;
   std::size_t index = 0;
   for(const Connection_constraint<TriangleMesh>& connection : connections) {
-    const std::string obstacle =
+    const Message obstacle =
       tracer.is_exact()
         ? internal::obstacle_of_connection(tracer, connection, point, vertex_indices)
-        : "can't be traced, as the map is not exactly seamless; call snap_to_seamless() first";
+        : "can't be traced, as the map is not exactly seamless" +
+            internal::remedy("call snap_to_seamless() first");
     if(!obstacle.empty())
       result.push_back({index, "the isocurve of connection constraint " + std::to_string(index) +
                                  " " + obstacle});

@@ -52,8 +52,8 @@ std::optional<Refusal> defect_of_quads(const QuadMesh& mesh, const NamedParamete
   for(const auto f : faces(mesh)) {
     if(const std::size_t n = degree(f, mesh); n != 4)
       return Refusal(Outcome::INVALID_ARGUMENT,
-                     "face " + std::to_string(i) + " has " + std::to_string(n) + " sides; "
-                     "quad_remesh() makes meshes of quads only");
+                     name_of_face(i) + " has " + std::to_string(n) + " sides" +
+                       remedy("quad_remesh() makes meshes of quads only"));
     ++i;
   }
   std::vector<typename boost::graph_traits<QuadMesh>::halfedge_descriptor> fans;
@@ -62,10 +62,9 @@ std::optional<Refusal> defect_of_quads(const QuadMesh& mesh, const NamedParamete
     return std::nullopt;
   const auto indices = CGAL::get_initialized_vertex_index_map(mesh, np);
   return Refusal(Outcome::NOT_MANIFOLD,
-                 "the faces around vertex " +
-                   std::to_string(get(indices, target(fans.front(), mesh))) +
-                   " form several fans; see "
-                   "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()");
+                 "the faces around " +
+                   name_of_vertex(std::size_t(get(indices, target(fans.front(), mesh)))) +
+                   " form several fans" + remedy(duplicate_vertices));
 }
 
 } // namespace internal

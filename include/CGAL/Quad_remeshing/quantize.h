@@ -135,7 +135,7 @@ Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map
   const std::vector<char> is_feature = feature_corners(tmesh, numbering, np);
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto vertex_name = [&](const std::size_t v)
-    { return std::to_string(get(vertex_indices, numbering.vertices_in_order()[v])); };
+    { return name_of_vertex(std::size_t(get(vertex_indices, numbering.vertices_in_order()[v]))); };
   const auto quantize = [&](const auto& coordinates, Chart_mesh& mesh) {
     if(const auto refusal = read_exact_map(tmesh, numbering, coordinates, np, mesh))
       return refused<Quantization>(*refusal);
@@ -162,7 +162,7 @@ Report refused_without_quantization(const Quantization& quantization)
 {
   return refused<Report>(Outcome::INVALID_ARGUMENT,
                          "there is no quantization" + (quantization.message.empty()
-                           ? "; quantize() makes one" : ": " + quantization.message));
+                           ? remedy("quantize() makes one") : ": " + quantization.message));
 }
 
 // \param leave_out_folded_cells whether cells that are folded around a point of one edge are left
@@ -190,7 +190,7 @@ Extraction_report extract_cells_of(const Quantization& quantization, const Trian
   Quad_extractor extractor(
     make_chart_mesh(surface.complex), std::move(is_feature), options,
     [&](const Corner_index h) {
-      return std::to_string(surface.complex.vertex(h)) + " of the coarse triangulation";
+      return name_of_element("vertex", surface.complex.vertex(h)) + " of the coarse triangulation";
     });
   const Point_locator locator(surface.coarse->input, surface.complex, extractor.mesh());
   const auto locate_point = [&](const Lattice_point& p)

@@ -88,7 +88,7 @@ void read_or_throw(const TetrahedronRange& range, const CornerUVWMap& uvw_map,
                    Flat_volume& volume)
 {
   if(const auto refusal = read_volume(range, uvw_map, np, tetrahedra, volume, {}, cells))
-    throw std::invalid_argument(refusal->message);
+    throw Invalid_input(refusal->message);
   read_coordinates(uvw_map, volume);
 }
 
@@ -113,7 +113,7 @@ without `tolerance`, `verbose`, and `visitor`. The map need only be a model of
 \return `true` if and only if the parametrization is exactly seamless and aligned. The result is
         also `false` if a coordinate is NaN, infinite, or beyond 1e300.
 
-\throws std::invalid_argument if the cells, their neighbors, or the features do not satisfy the
+\throws Invalid_input if the cells, their neighbors, or the features do not satisfy the
         preconditions of `snap_volume_to_seamless()`; the message names the place
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
@@ -136,7 +136,7 @@ bool is_volume_seamless(const TetrahedronRange& tetrahedra, CornerUVWMap uvw_map
                              internal::strip(np, internal::volume_parameters), mesh, volume)) {
     if(refusal->status == Outcome::NOT_FINITE)
       return false;
-    throw std::invalid_argument(refusal->message);
+    throw Invalid_input(refusal->message);
   }
   internal::read_coordinates(uvw_map, volume);
   Volume_seamlessness result;
@@ -152,7 +152,7 @@ and counts the cells that are flipped or degenerate in the domain.
 
 Parameters are as for `is_volume_seamless()`.
 
-\throws std::invalid_argument also if a coordinate is NaN, infinite, or beyond 1e300
+\throws Invalid_input also if a coordinate is NaN, infinite, or beyond 1e300
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
 \par Complexity

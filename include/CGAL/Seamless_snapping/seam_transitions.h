@@ -110,7 +110,7 @@ public:
   }
 
   /// returns the place, the reason, and the remedy of a failure.
-  std::string message() const { return m_data.refusal ? m_data.refusal->message : std::string(); }
+  Message message() const { return m_data.refusal ? m_data.refusal->message : Message(); }
 
   /// returns the number from 0 to N - 1 of counterclockwise turns by 360 / N degrees of the
   /// transition from the chart of `face(h)` to the chart of `face(opposite(h))`; 0 at the border.

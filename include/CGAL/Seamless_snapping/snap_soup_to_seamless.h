@@ -122,7 +122,7 @@ Parameters are as for `snap_soup_to_seamless()`. The function reads the named pa
 `align_border`, `rotational_symmetry`, and `feature_edges`. The map need only be a model of
 `ReadablePropertyMap`.
 
-\throws std::invalid_argument if the faces or features do not satisfy the preconditions of
+\throws Invalid_input if the faces or features do not satisfy the preconditions of
         `snap_soup_to_seamless()`; the message names the place
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
@@ -143,7 +143,7 @@ bool is_soup_seamless(const TriangleRange& triangles, CornerUVMap uv_map,
       plain_np, CGAL::internal_np::feature_edges);
     internal::Soup_surface surface;
     if(const auto refusal = surface.read(triangles, feature_edges))
-      throw std::invalid_argument(refusal->message);
+      throw Invalid_input(refusal->message);
     const internal::Soup_uv_map<CornerUVMap> uv{surface.corner(), uv_map};
     return internal::is_seamless(surface.mesh(), uv,
                                  plain_np.edge_is_constrained_map(surface.is_feature())

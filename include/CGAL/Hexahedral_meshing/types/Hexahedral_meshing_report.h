@@ -38,7 +38,7 @@ struct Hexahedral_meshing_report
   double grid_scale = 1; ///< the factor of the coordinates
   std::size_t number_of_attempts = 0; ///< scales that were tried
   /// why the first scale did not serve; empty if it did
-  std::string reason_for_more;
+  Message reason_for_more;
   Hexahedron_shapes shapes_before; ///< of the hexahedra as the map has them
   Hexahedron_shapes shapes;        ///< of the result
 };

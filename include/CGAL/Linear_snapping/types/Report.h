@@ -17,8 +17,10 @@
 
 // How a function ends, in one vocabulary for all of them.
 
+#include <CGAL/Linear_snapping/types/Message.h>
+
 #include <ostream>
-#include <string>
+#include <stdexcept>
 #include <utility>
 
 namespace CGAL {
@@ -127,16 +129,30 @@ struct Report
   Outcome status = Outcome::SUCCESS; ///< the outcome
   /// on failure: the place, the reason, and the remedy. After success, it can hold a note, for
   /// example that border edges coincide or that faces are not positive
-  std::string message;
+  Message message;
 
   /// \cond SKIP_IN_MANUAL
-  explicit Report(const Outcome s = Outcome::SUCCESS, std::string m = {})
+  explicit Report(const Outcome s = Outcome::SUCCESS, Message m = {})
     : status(s), message(std::move(m))
   { }
   /// \endcond
 
   /// returns `true` if and only if the outcome is one of the first four.
   explicit operator bool() const { return status <= Outcome::FLIPS_REMAIN; }
+};
+
+/*!
+\ingroup PkgLinearSnappingRef
+The exception of functions that return no report.
+*/
+struct Invalid_input
+  : public std::invalid_argument
+{
+  Message message; ///< the place, the reason, and the remedy
+
+  /// \cond SKIP_IN_MANUAL
+  explicit Invalid_input(const Message& m) : std::invalid_argument(m.str()), message(m) { }
+  /// \endcond
 };
 
 /*!

@@ -157,11 +157,11 @@ private:
     return m_run.report.remaining_flips.empty() ||
            refuse(m_run.report, Outcome::NOT_POSITIVE,
                   name_of_faces(m_run.report.remaining_flips, "flipped in the parametrization") +
-                    (sizes_vary() ? "; let vertex_sizing_map and curvature_adaptivity vary sizes "
-                                    "less" : "") +
-                    "; " + (has_features() ? "mark fewer features, or " : "") +
-                    "remesh the input there" + (has_border() ? ", or its border" : "") +
-                    ", or leave out that part");
+                    (sizes_vary() ? remedy("let vertex_sizing_map and curvature_adaptivity vary "
+                                           "sizes less") : Message()) +
+                    remedy(std::string(has_features() ? "mark fewer features, or " : "") +
+                           "remesh the input there" + (has_border() ? ", or its border" : "") +
+                           ", or leave out that part"));
   }
 
   // Also if all of them are released by now.
@@ -192,8 +192,12 @@ private:
         .largest_cone_index(largest_cone_index).least_cone_distance(least_cone_distance)
         .known_fields(&m_known_fields));
     m_run.timer.finish("parametrization");
-    if(!made)
-      return refuse(m_run.report, made.status, with_face_of_input(made.message));
+    if(!made) {
+      Message message = made.message; // which counts the faces of the copy
+      message.renumber(Message::FACE, [&](const std::size_t f)
+                       { return m_run.surface.original(f); });
+      return refuse(m_run.report, made.status, message);
+    }
     constexpr double of_map = 8; // for each face
     count_iterations(of_map + double(made.number_of_untangling_iterations));
     move_from_origin(m_run.mesh(), m_run.surface.uv_map());
@@ -221,18 +225,6 @@ private:
     std::sort(flips.begin(), flips.end());
     flips.erase(std::unique(flips.begin(), flips.end()), flips.end());
     return true;
-  }
-
-  // The parametrization counts the faces of the copy.
-  std::string with_face_of_input(std::string message) const
-  {
-    const std::string words = "a vertex of face ";
-    const std::size_t begin = message.find(words) + words.size();
-    if(message.find(words) == message.npos)
-      return message;
-    const std::size_t length = message.find_first_not_of("0123456789", begin) - begin;
-    return message.replace(begin, length, std::to_string(m_run.surface.original(
-                                            std::stoul(message.substr(begin, length)))));
   }
 
   // Over all faces: those that may be spent on one map.

@@ -145,8 +145,8 @@ private:
       }
     return !(longest > largest_ratio * least) ||
            refuse(m_run.report, Outcome::INVALID_ARGUMENT,
-                  "face " + std::to_string(face) + " has an edge more than 1e50 times as long as "
-                  "the shortest one of the mesh; remove the vertex that is far away");
+                  name_of_face(face) + " has an edge more than 1e50 times as long as the shortest "
+                  "one of the mesh" + remedy("remove the vertex that is far away"));
   }
 
   bool check_tolerances()
@@ -154,7 +154,7 @@ private:
     const bool is_negative = !(m_run.options.border_tolerance.value_or(0) >= 0);
     return (!is_negative && m_run.options.area_threshold.value_or(0) >= 0) ||
            refuse(m_run.report, Outcome::INVALID_ARGUMENT,
-                  std::string(is_negative ? "border_tolerance" : "area_threshold") +
+                  term(is_negative ? "border_tolerance" : "area_threshold") +
                     " must not be negative");
   }
 
@@ -165,11 +165,12 @@ private:
     if(!mirror)
       return true;
     if(!mirror->is_valid())
-      return refuse(m_run.report, Outcome::INVALID_ARGUMENT, "symmetry_plane is no plane");
+      return refuse(m_run.report, Outcome::INVALID_ARGUMENT,
+                    term("symmetry_plane") + " is no plane");
     if(m_run.mesh().number_of_faces() == 0)
       return refuse(m_run.report, Outcome::INVALID_ARGUMENT,
-                    "no part of the surface is on the positive side of symmetry_plane, or it meets "
-                    "itself along it");
+                    "no part of the surface is on the positive side of " + term("symmetry_plane") +
+                      ", or it meets itself along it");
     Quantization_options& options = m_run.options.quantization;
     options.number_of_quads = (std::max)(1., options.number_of_quads / 2);
     options.maximum_number /= 2;
@@ -228,7 +229,7 @@ private:
            ? "in a worse shape or farther from the surface, with a mean scaled Jacobian of " +
              short_number(m_jacobian_of_fewest) + " at first"
            : "farther from the surface, or with inverted quads") +
-        "; minimize_number_of_quads(true) makes as few as are found";
+        remedy("minimize_number_of_quads(true) makes as few as are found");
     return true;
   }
 
@@ -796,9 +797,10 @@ Remeshing_report remesh(Marked_surface& input, const std::optional<Mirror>& mirr
     const auto& p = input.mesh.point(input.mesh.source(*h));
     return refused<Remeshing_report>(
       Outcome::INVALID_ARGUMENT,
-      "face " + std::to_string(std::size_t(input.mesh.face(*h))) + " has a vertex at (" +
+      name_of_face(std::size_t(input.mesh.face(*h))) + " has a vertex at (" +
         short_number(p.x()) + ", " + short_number(p.y()) + ", " + short_number(p.z()) +
-        "), which is a million times as far away as nearly all others; move it, or remove it");
+        "), which is a million times as far away as nearly all others" +
+        remedy("move it, or remove it"));
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Small_parts small_parts(input, options.area_threshold,

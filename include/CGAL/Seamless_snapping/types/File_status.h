@@ -17,6 +17,9 @@
 
 // What the functions that read and write files return.
 
+#include <CGAL/Linear_snapping/types/Message.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
+
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -50,7 +53,7 @@ if(!status)
 */
 struct File_status
 {
-  std::string message;  ///< empty on success; else the fault and the line
+  Message message;      ///< empty on success; else the fault and the line
   std::size_t line = 0; ///< the number of the faulty line, from 1; 0 if the fault is in no line
   /*!
   The number of vertices that the reader added because the faces around a vertex of the file form

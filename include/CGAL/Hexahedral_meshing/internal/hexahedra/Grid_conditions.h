@@ -114,8 +114,8 @@ public:
   }
 
 private:
-  std::string name_of_cell(const std::size_t c) const
-  { return "cell " + std::to_string(m_volume.cell_names[c]); }
+  Message name_of_cell(const std::size_t c) const
+  { return name_of_element("cell", std::size_t(m_volume.cell_names[c])); }
 
   static std::string among(const std::size_t number, const char* const noun)
   { return number == 1 ? "" : " (the first of " + counted(number, noun) + ")"; }
@@ -126,7 +126,8 @@ private:
       for(const double x : m_volume.coordinates[i])
         if(std::abs(x) > largest_grid_coordinate)
           return Refusal(Outcome::TOO_LARGE, name_of_cell(i / 4) + " has a coordinate beyond 2^46, "
-                         "where integers and their halves can't be told apart; scale the map down");
+                         "where integers and their halves can't be told apart" +
+                         remedy("scale the map down"));
     return std::nullopt;
   }
 
@@ -139,8 +140,9 @@ private:
     if(bad.empty())
       return std::nullopt;
     return Refusal(Outcome::NOT_POSITIVE, name_of_cell(bad[0]) + among(bad.size(), "such cell") +
-                   " is flipped or degenerate in the domain; snap_volume_to_seamless() with "
-                   "repair_flips(Flip_repair::UNTANGLE) makes cells positive if it can");
+                   " is flipped or degenerate in the domain" +
+                   remedy("snap_volume_to_seamless() with repair_flips(Flip_repair::UNTANGLE) "
+                          "makes cells positive if it can"));
   }
 
   // Each open facet has one rotation that holds exactly, as its image has an area.
@@ -167,18 +169,19 @@ private:
     if(!inexact.empty())
       return Refusal(Outcome::NOT_SEAMLESS, "the two sides of " +
                      m_volume.name_of_facet(inexact[0]) + among(inexact.size(), "such facet") +
-                     " differ by no rotation of the cube, exactly; snap_volume_to_seamless() makes "
-                     "the map exactly seamless");
+                     " differ by no rotation of the cube, exactly" +
+                     remedy("snap_volume_to_seamless() makes the map exactly seamless"));
     if(!off_grid.empty())
       return not_integer("the translation across " + m_volume.name_of_facet(off_grid[0]) +
                          among(off_grid.size(), "such facet") + " is no integer");
     return std::nullopt;
   }
 
-  static Refusal not_integer(const std::string& what)
+  static Refusal not_integer(const Message& what)
   {
     return {Outcome::NOT_INTEGER,
-            what + "; snap_volume_to_seamless() with integer_grid(true) makes an integer-grid map"};
+            what + remedy("snap_volume_to_seamless() with integer_grid(true) makes an integer-grid "
+                          "map")};
   }
 
   static bool is_integer(const double x) { return x == std::round(x); }
@@ -204,7 +207,7 @@ private:
     };
     if(!askew.empty())
       return Refusal(Outcome::NOT_ALIGNED, name(askew) + " lies in no plane of a constant "
-                     "coordinate, exactly; snap_volume_to_seamless() aligns it");
+                     "coordinate, exactly" + remedy("snap_volume_to_seamless() aligns it"));
     if(!off_grid.empty())
       return not_integer(name(off_grid) + " lies between the planes of the grid");
     return std::nullopt;
@@ -231,7 +234,8 @@ private:
     for(const Flat_volume::Aligned_edge& edge : m_volume.aligned_edges)
       if(const int axis = axis_of_edge(edge); axis < 0)
         return Refusal(Outcome::NOT_ALIGNED, "along the feature " + m_volume.name_of_edge(edge) +
-                       ", more than one coordinate changes; snap_volume_to_seamless() aligns it");
+                       ", more than one coordinate changes" +
+                       remedy("snap_volume_to_seamless() aligns it"));
       else if(!is_on_grid_line(edge, axis))
         return not_integer("the feature " + m_volume.name_of_edge(edge) +
                            " lies between the lines of the grid");

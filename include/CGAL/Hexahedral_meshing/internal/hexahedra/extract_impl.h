@@ -125,8 +125,9 @@ private:
   {
     std::ostringstream message;
     message << "there would be about " << number << " hexahedra, and no more than " << limit
-            << " are allowed; scale the map down, or raise maximum_number";
-    return {Outcome::TOO_LARGE, message.str()};
+            << " are allowed";
+    return {Outcome::TOO_LARGE,
+            message.str() + remedy("scale the map down, or raise maximum_number")};
   }
 
   static Refusal error_of_ours(const std::string& what)
@@ -265,7 +266,7 @@ private:
     if(topology.bad_hexahedron >= 0)
       return Refusal(Outcome::TOO_COARSE, name_of_hexahedron(topology.bad_hexahedron) +
                      " has a vertex twice, or four vertices in common with two others, as the "
-                     "grid is too coarse there; scale the map up by grid_scale");
+                     "grid is too coarse there" + remedy(scale_up));
     m_report.number_of_edges = topology.number_of_edges;
     m_report.number_of_quadrilaterals = topology.number_of_quadrilaterals;
     m_report.number_of_boundary_quadrilaterals = topology.boundary.size();

@@ -187,18 +187,18 @@ std::vector<std::size_t> nonpositive_faces(const Basic_chart_mesh<Group>& mesh)
 }
 
 // How many there are, and the first, in words. `what` they are, such as "flipped".
-inline std::string name_of_faces(const std::vector<std::size_t>& faces, const std::string& what)
+inline Message name_of_faces(const std::vector<std::size_t>& faces, const std::string& what)
 {
   return std::to_string(faces.size()) + (faces.size() == 1 ? " face is " : " faces are ") + what +
-         ", the first is face " + std::to_string(faces.front());
+         ", the first is " + name_of_face(faces.front());
 }
 
 // Tells the report why no isocurve can be followed, if there is such a face.
 template <typename Group>
 bool are_positive(const Basic_chart_mesh<Group>& mesh, const std::vector<std::size_t>& nonpositive,
                   Report& report,
-                  const std::string& remedy =
-                    "repair them by snap_to_seamless() with repair_flips(true)")
+                  const Message& how_to_repair =
+                    remedy("repair them by snap_to_seamless() with repair_flips(true)"))
 {
   if(nonpositive.empty())
     return true;
@@ -207,9 +207,9 @@ bool are_positive(const Basic_chart_mesh<Group>& mesh, const std::vector<std::si
       return orientation(triangle(mesh, f)) == CGAL::NEGATIVE;
     });
   return refuse(report, Outcome::NOT_POSITIVE,
-                name_of_faces(nonpositive, "flipped or degenerate in the domain") + "; " +
-                  (mean_mirroring(flipped, mesh.corners.size() / 3) ? remedy_for_mirrored_maps
-                                                                    : remedy));
+                name_of_faces(nonpositive, "flipped or degenerate in the domain") +
+                  (mean_mirroring(flipped, mesh.corners.size() / 3)
+                     ? remedy(remedy_for_mirrored_maps) : how_to_repair));
 }
 
 } // namespace internal

@@ -221,7 +221,7 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
   if(!seams.is_exact)
     return Refusal(Outcome::NOT_SEAMLESS,
                    "the map is not exactly seamless: sides of edges differ by up to " +
-                     short_number(seams.violation) + "; call snap_to_seamless() first");
+                     short_number(seams.violation) + remedy("call snap_to_seamless() first"));
   add_transitions<ConcurrencyTag>(tmesh, numbering, seams, mesh);
   return std::nullopt;
 }

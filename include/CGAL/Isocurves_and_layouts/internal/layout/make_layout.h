@@ -40,7 +40,7 @@ struct Layout_input
   std::vector<char> is_given;   // per vertex, or empty
   bool align_border;            // the border has to lie on isocurves
   Race_options options;
-  std::function<std::string(std::size_t)> vertex_name; // for messages
+  std::function<Message(std::size_t)> vertex_name;
 };
 
 // What a layout refers to. It stays where it is.

@@ -303,8 +303,9 @@ private:
                                                         : " border or feature edges do") +
                     " not lie on isocurves, the first is " + name_of_edge(first) +
                     (is_border_edge
-                       ? ", on the border; call snap_to_seamless() with align_border(true)"
-                       : "; call snap_to_seamless() with the same edge_is_constrained_map") +
+                       ? ", on the border" +
+                           remedy("call snap_to_seamless() with align_border(true)")
+                       : remedy("call snap_to_seamless() with the same edge_is_constrained_map")) +
                     ", on a map that is nearly aligned there");
   }
 
@@ -336,7 +337,8 @@ private:
            refuse(m_data, Outcome::TOO_LARGE,
                   "the curves cross faces, or each other, more than " +
                     std::to_string(m_input.options.maximum_number) +
-                    " times; raise maximum_number, or let curves end where they meet others");
+                    " times" +
+                    remedy("raise maximum_number, or let curves end where they meet others"));
   }
 
   bool build()
@@ -370,9 +372,9 @@ private:
                        (cut == 1 ? " patch is not a rectangle" : " patches are not rectangles");
   }
 
-  std::string name_of_edge(const Corner_index h) const
+  Message name_of_edge(const Corner_index h) const
   {
-    return "that from vertex " + m_input.vertex_name(m_domain.mesh.source(h)) + " to vertex " +
+    return "that from " + m_input.vertex_name(m_domain.mesh.source(h)) + " to " +
            m_input.vertex_name(m_domain.mesh.vertex(h));
   }
 

@@ -178,7 +178,7 @@ inline Refusal contradiction(const Linear_solver& solver)
     rows.push_back(multiple.first);
   refusal.message = "the constraints contradict each other: a combination of the rows " +
                     list_of_rows(rows) + " (multipliers in the certificate) reads 0 = c with "
-                    "c != 0; remove or correct one of them";
+                    "c != 0" + remedy("remove or correct one of them");
   return refusal;
 }
 
@@ -191,8 +191,9 @@ inline Refusal not_representable(const Linear_solver& solver, const Component_in
       rows.push_back(solver.rows(c)[k]);
   return {Outcome::NOT_REPRESENTABLE,
           "the constraints have rational solutions, but near the values none was found in numbers "
-          "of their type; round the right-hand sides of the constraints " + list_of_rows(rows) +
-          " to fewer bits, or remove factors that they are not divisible by"};
+          "of their type" + remedy("round the right-hand sides of the constraints " +
+                                   list_of_rows(rows) + " to fewer bits, or remove factors that "
+                                   "they are not divisible by")};
 }
 
 // The components that have a row which the values do not satisfy exactly.

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// The failure of a step: outcome, place, reason, and remedy, which become the report. Also formats
-// numbers and counts for messages.
+// The failure of a step: outcome, place, reason, and remedy, which become the report. Also makes
+// the parts of messages.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/types/Report.h>
@@ -39,7 +39,7 @@ struct Refusal
 {
   using Certificate = std::vector<std::pair<std::size_t, CGAL::Exact_integer> >;
 
-  Refusal(const Outcome outcome, std::string words, Certificate c = {})
+  Refusal(const Outcome outcome, Message words, Certificate c = {})
     : Report(outcome, std::move(words)), certificate(std::move(c))
   { }
 
@@ -53,7 +53,7 @@ inline bool refuse(Report& report, const Report& refusal)
   return false;
 }
 
-inline bool refuse(Report& report, const Outcome outcome, const std::string& message)
+inline bool refuse(Report& report, const Outcome outcome, const Message& message)
 {
   return refuse(report, Report(outcome, message));
 }
@@ -73,6 +73,28 @@ inline std::optional<Refusal> inexact_arithmetic()
     return std::nullopt;
   return Refusal(Outcome::INEXACT_ARITHMETIC, inexact_arithmetic_message());
 }
+
+inline Message name_of_face(const std::size_t f, const std::string& noun = "face")
+{ return {Message::FACE, noun, f}; }
+
+inline Message name_of_vertex(const std::size_t v, const std::string& noun = "vertex")
+{ return {Message::VERTEX, noun, v}; }
+
+// "cell 3", "row 3"
+inline Message name_of_element(const std::string& noun, const std::size_t i)
+{ return {Message::ELEMENT, noun, i}; }
+
+// Words with names of parameters and functions.
+inline Message term(const std::string& words) { return {Message::TERM, words}; }
+
+// The begin of what the caller can do.
+inline Message remedy(const std::string& words) { return {Message::REMEDY, words}; }
+
+// Remedies of several functions.
+constexpr const char* raise_tolerance = "raise the tolerance";
+constexpr const char* scale_up = "scale the map up by grid_scale";
+constexpr const char* duplicate_vertices =
+  "see CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()";
 
 // "1 face", "2 faces", "2 boundary vertices", "2 branches"
 inline std::string counted(const std::size_t n, const std::string& noun)

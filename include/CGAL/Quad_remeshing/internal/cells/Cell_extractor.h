@@ -118,7 +118,7 @@ struct Extraction_options
   std::size_t maximum_number = 100000000; // of cells
   bool allow_holes = false;
   bool leave_out_folded_cells = false; // around points of one edge
-  std::string how_to_refine = "scale the map up by grid_scale"; // for messages
+  std::string how_to_refine = scale_up; // for remedies
   std::string how_to_coarsen = "shrink the map by grid_scale";
 };
 
@@ -137,7 +137,7 @@ public:
   // messages: it is called with a corner of the mesh.
   Cell_extractor(Mesh&& mesh, std::vector<char>&& is_feature,
                  const Extraction_options& options,
-                 const std::function<std::string(Corner_index)>& vertex_name)
+                 const std::function<Message(Corner_index)>& vertex_name)
     : m_mesh(std::move(mesh)), m_is_feature(std::move(is_feature)), m_options(options),
       m_vertex_name(vertex_name)
   { }
@@ -167,16 +167,13 @@ private:
   template <typename ConcurrencyTag>
   bool find_cells();
 
-  std::string vertex_name(const Corner_index h) const
+  Message vertex_name(const Corner_index h) const
   {
     return m_vertex_name(Corner_index(3 * original_face(face_of(h)) + std::size_t(h) % 3));
   }
 
-  std::string edge_name(const Corner_index h) const
-  {
-    return "the edge from vertex " + vertex_name(Mesh::prev(h)) + " to vertex " +
-           vertex_name(h);
-  }
+  Message edge_name(const Corner_index h) const
+  { return "the edge from " + vertex_name(Mesh::prev(h)) + " to " + vertex_name(h); }
 
   // Exactly, or not at all.
   template <typename ConcurrencyTag>
@@ -184,7 +181,8 @@ private:
   {
     const double k = m_options.scale;
     if(!(k > 0 && std::isfinite(k)))
-      return refuse(m_report, Outcome::INVALID_ARGUMENT, "grid_scale must be positive and finite");
+      return refuse(m_report, Outcome::INVALID_ARGUMENT,
+                    term("grid_scale") + " must be positive and finite");
     const auto is_bad = [&](const std::size_t i) {
       const Uv& u = m_mesh.corners[i].uv;
       return is_beyond_limit(u[0] * k) || is_beyond_limit(u[1] * k) ||
@@ -212,15 +210,15 @@ private:
   bool refuse_scale(const Corner_index h)
   {
     const Uv& u = m_mesh.uv(h);
-    const std::string coordinate = "a coordinate of vertex " + vertex_name(h);
+    const Message coordinate = "a coordinate of " + vertex_name(h);
     if(is_beyond_limit(u[0] * m_options.scale) || is_beyond_limit(u[1] * m_options.scale))
       return refuse(m_report, Outcome::TOO_LARGE,
-                    coordinate + " is beyond 2^46, where units can't be counted safely; move or "
-                                 "shrink the map");
+                    coordinate + " is beyond 2^46, where units can't be counted safely" +
+                      remedy("move or shrink the map"));
     return refuse(m_report, Outcome::INVALID_ARGUMENT,
-                coordinate + " can't be multiplied by grid_scale exactly; scale by a power of two, "
-                             "or scale before the map is made exact, by snap_to_seamless() with "
-                             "grid_scale");
+                  coordinate + " can't be multiplied by " + term("grid_scale") + " exactly" +
+                    remedy("scale by a power of two, or scale before the map is made exact, by "
+                           "snap_to_seamless() with grid_scale"));
   }
 
   void scale_transitions()
@@ -264,14 +262,9 @@ private:
                     "the translation across " + edge_name(Corner_index(i)) + " is " +
                       short_number((std::max)(distance_to_integer(translation[0]),
                                               distance_to_integer(translation[1]))) +
-                      " off an integer" + make_integer());
+                      " off an integer" + make_integer);
     }
     return true;
-  }
-
-  static std::string make_integer()
-  {
-    return "; call snap_to_seamless() with integer_grid(true) first";
   }
 
   bool check_cone(const std::size_t v)
@@ -283,9 +276,9 @@ private:
     m_report.number_of_cones_in_cells += lines == 0 ? 1 : 0;
     return lines != 1 ||
            refuse(m_report, Outcome::NOT_INTEGER,
-                  "the cone at vertex " + vertex_name(m_mesh.corner_at_vertex[v]) +
-                    " lies on a line of the grid, but on no point of it" + make_integer() +
-                    ", or double the map: grid_scale(2)");
+                  "the cone at " + vertex_name(m_mesh.corner_at_vertex[v]) +
+                    " lies on a line of the grid, but on no point of it" + make_integer +
+                    term(", or double the map: grid_scale(2)"));
   }
 
   template <typename ConcurrencyTag>
@@ -301,8 +294,8 @@ private:
     }
     if(!m_options.allow_holes)
       return are_positive(m_mesh, faces, m_report,
-                          "repair them by repair_integer_grid(), or leave out the cells around "
-                          "them: allow_holes(true)");
+                          remedy("repair them by repair_integer_grid(), or leave out the cells "
+                                 "around them: allow_holes(true)"));
     const Face_remover<Group> remover(m_mesh, faces);
     Mesh rest = remover.run();
     if(!m_is_feature.empty())
@@ -332,10 +325,10 @@ private:
     return refuse(m_report, Outcome::TOO_LARGE,
                   has_too_many_cells
                     ? "there would be " + short_number(m_report.area) + " " + Shape::plural() +
-                      (m_options.maximum_number < largest_number_of_cells
-                         ? "; raise maximum_number, or " : "; ") + m_options.how_to_coarsen
+                      remedy((m_options.maximum_number < largest_number_of_cells
+                                ? "raise maximum_number, or " : "") + m_options.how_to_coarsen)
                     : "the lines of the grid would cross edges of the mesh " +
-                      short_number(crossings / 2) + " times; " + m_options.how_to_coarsen);
+                      short_number(crossings / 2) + " times" + remedy(m_options.how_to_coarsen));
   }
 
   template <typename ConcurrencyTag>
@@ -363,10 +356,10 @@ private:
     const Dart_failure failure = pair_darts<ConcurrencyTag>(m_mesh, points, m_is_feature, darts);
     if(failure.is_obstacle)
       return refuse(m_report, Outcome::NOT_INTEGER,
-                  "a line of the grid meets vertex " +
+                  "a line of the grid meets " +
                     vertex_name(m_mesh.corner_at_vertex[failure.vertex]) +
                     ", which is a cone or a corner of the border, between two points of the grid" +
-                    make_integer());
+                    make_integer);
     if(failure)
       return refuse(m_report, Outcome::INTERNAL_ERROR, "two darts have the same twin");
     m_complex = std::make_unique<Cell_complex>(std::move(points), std::move(darts));
@@ -387,10 +380,11 @@ private:
     if(part < m_parts->size()) {
       const bool may_be_coarse = is_area_right || counts[part].points == 0;
       return refuse(m_report, may_be_coarse ? Outcome::TOO_COARSE : Outcome::INTERNAL_ERROR,
-                    "the part of the surface that face " +
-                      std::to_string(original_face((*m_parts)[part].first_face)) + " belongs to " +
-                      (may_be_coarse ? "is too small for the grid; " + m_options.how_to_refine
-                                     : "has cells of the wrong area"));
+                    "the part of the surface that " +
+                      name_of_face(std::size_t(original_face((*m_parts)[part].first_face))) +
+                      (may_be_coarse
+                         ? " belongs to is too small for the grid" + remedy(m_options.how_to_refine)
+                         : " belongs to has cells of the wrong area"));
     }
     m_report.number_of_faces = m_complex->cells.size();
     for(const std::size_t n : results_of_chunks<std::size_t, ConcurrencyTag>(
@@ -398,7 +392,7 @@ private:
       m_report.number_of_other_polygons += n;
     return m_report.number_of_faces > 0 ||
            refuse(m_report, Outcome::TOO_COARSE,
-                  "the surface holds no whole cell of the grid; " + m_options.how_to_refine);
+                  "the surface holds no whole cell of the grid" + remedy(m_options.how_to_refine));
   }
 
   // A dart in each direction at a regular vertex; at others, their number is that of turns of the
@@ -449,14 +443,15 @@ private:
     m_report.message = "left out: " + counted(m_report.number_of_cut_cells, "piece") +
                        " of cells, as the border cuts them" +
                        (m_kept_faces.empty() ? ", first at " : " or holes do, first at ") +
-                       edge_name(h) + "; snap_to_seamless() with integer_grid(true) and "
-                       "align_border(true) moves it to the grid";
+                       edge_name(h) + remedy("snap_to_seamless() with integer_grid(true) and "
+                                             "align_border(true) moves it to the grid");
   }
 
+  const Message make_integer = remedy("call snap_to_seamless() with integer_grid(true) first");
   Mesh m_mesh;
   std::vector<char> m_is_feature;
   Extraction_options m_options;
-  std::function<std::string(Corner_index)> m_vertex_name;
+  std::function<Message(Corner_index)> m_vertex_name;
   Extraction_report m_report;
   std::vector<std::int32_t> m_kept_faces; // empty: all
   std::unique_ptr<Surface_parts> m_parts;

@@ -115,15 +115,16 @@ bool is_face_graph(Cell_extractor<Group>& extractor, const Cell_vertices& vertic
     return true;
   const std::size_t tip = find_first<ConcurrencyTag>(vertices.size(), [&](const std::size_t w)
     { return complex.darts.degree(vertices.point(w)) == 1; });
-  const std::string remedy =
-    tip == vertices.size() ? extractor.options().how_to_refine + ", or" :
-    "point " + std::to_string(tip) + " has only one edge, at any scale;" +
-      (is_square ? " quantize() with needs_face_graph(true), which leaves out its quad, or" : "");
+  const Message how = tip == vertices.size()
+    ? remedy(extractor.options().how_to_refine) + ", or "
+    : "; point " + std::to_string(tip) + " has only one edge, at any scale" +
+        remedy(is_square ? "quantize() with needs_face_graph(true), which leaves out its quad, or "
+                         : "");
   return refuse(
     extractor.report(), Outcome::NO_FACE_GRAPH,
     "the " + std::string(Cell_shape<Group>::plural()) + " around point " + std::to_string(v) +
-      " of the grid meet themselves, or each other twice, which no face graph can hold; " +
-      remedy + " call " + (is_square ? "extract_quad_soup()" : "extract_triangle_soup()"));
+      " of the grid meet themselves, or each other twice, which no face graph can hold" +
+      how + term(is_square ? "call extract_quad_soup()" : "call extract_triangle_soup()"));
 }
 
 // Counts inverted quads before they are written. Triangles and other polygons do not count.
@@ -280,9 +281,9 @@ bool fits(Extraction_report& report)
   return refuse(report, Outcome::NOT_INTEGER,
                 "the cells around " + counted(report.number_of_other_polygons, "cone") +
                   " are no " + Shape::plural() + ", which arrays of " +
-                  std::to_string(Shape::number_of_corners) + " indices can't hold; double the "
-                  "map, grid_scale(2), if the cones are half-integers, or use "
-                  "std::vector<std::size_t> for polygons");
+                  std::to_string(Shape::number_of_corners) + " indices can't hold" +
+                  remedy("double the map, grid_scale(2), if the cones are half-integers, or use "
+                         "std::vector<std::size_t> for polygons"));
 }
 
 // Adds the quads to ranges of points and polygons; or refuses.

@@ -126,13 +126,13 @@ Extraction_options extraction_options(const NamedParameters& np)
 
 // For messages. A corner is given by its face, in the order of faces(tmesh), and its place there.
 template <typename TriangleMesh, typename NamedParameters>
-std::string vertex_name(const TriangleMesh& tmesh, const NamedParameters& np, const Corner_index h)
+Message vertex_name(const TriangleMesh& tmesh, const NamedParameters& np, const Corner_index h)
 {
   auto corner = halfedge(*std::next(faces(tmesh).begin(), h / 3), tmesh);
   for(int k = h % 3; k > 0; --k)
     corner = next(corner, tmesh);
-  return std::to_string(
-    get(CGAL::get_initialized_vertex_index_map(tmesh, np), target(corner, tmesh)));
+  return name_of_vertex(std::size_t(
+    get(CGAL::get_initialized_vertex_index_map(tmesh, np), target(corner, tmesh))));
 }
 
 // Makes the cells, and has them written: by output.locate(extractor, embedding) and
@@ -152,7 +152,8 @@ Extraction_report run_and_write(Cell_extractor<Group>& extractor, const Triangle
         if(!std::isfinite(x))
           return refused<Extraction_report>(
             Outcome::NOT_FINITE,
-            "vertex " + std::to_string(get(CGAL::get_initialized_vertex_index_map(tmesh, np), v)) +
+            name_of_vertex(std::size_t(
+              get(CGAL::get_initialized_vertex_index_map(tmesh, np), v))) +
               " has a NaN or infinite coordinate");
   const auto locate = [&] {
     output.template locate<ConcurrencyTag>(extractor,

@@ -82,9 +82,8 @@ solve_with_stiffening(const Triangle_surface& surface, const std::vector<double>
     } catch(Refusal& refusal) {
       if(round > 0)
         return best;
-      refusal.message += std::string("; ") +
-                         (has_features(surface) ? "mark fewer features, or " : "") +
-                         "remesh the input";
+      refusal.message += remedy(has_features(surface) ? "mark fewer features, or remesh the input"
+                                                      : "remesh the input");
       throw;
     }
     const Coordinates uv = coordinates.evaluate(unknowns);

@@ -56,19 +56,19 @@ struct Parametrization_result
 
 inline void check_options(const Parametrization_options& options, const Triangle_surface& surface)
 {
-  const auto refuse = [](const std::string& reason)
+  const auto refuse = [](const Message& reason)
   {
     throw Refusal(Outcome::INVALID_ARGUMENT, reason);
   };
   if(*std::max_element(surface.length.begin(), surface.length.end()) == 0)
     refuse("all points of the mesh coincide");
   if(!(options.target_edge_length > 0) || !std::isfinite(options.target_edge_length))
-    refuse("target_edge_length must be positive");
+    refuse(term("target_edge_length") + " must be positive");
   if(options.curvature_alignment != 0 && !(options.curvature_alignment >= 1e-9 &&
                                            std::isfinite(options.curvature_alignment)))
-    refuse("curvature_alignment must be 0, or at least 1e-9");
+    refuse(term("curvature_alignment") + " must be 0, or at least 1e-9");
   if(!(options.curvature_adaptivity >= 1) || !std::isfinite(options.curvature_adaptivity))
-    refuse("curvature_adaptivity must be at least 1");
+    refuse(term("curvature_adaptivity") + " must be at least 1");
   if(options.largest_cone_index < 1 || options.largest_cone_index >= Quarter_turns::order)
     refuse("largest_cone_index must be 1, 2, or 3");
   if(!(options.least_cone_distance >= 0))
@@ -140,8 +140,8 @@ void scale_coordinates(const int exponent, const Number_format& format, Coordina
   if(!(extent <= largest_extent)
      || (has_extent && extent < std::ldexp(1., format.minimum_exponent + format.digits - 1)))
     throw Refusal(Outcome::INVALID_ARGUMENT,
-                  "the coordinates leave the range of their number type: set target_edge_length to "
-                  "about the length of an edge");
+                  "the coordinates leave the range of their number type: " +
+                    term("set target_edge_length to about the length of an edge"));
   for(auto& p : uv)
     for(double& x : p)
       x = std::ldexp(x, exponent);

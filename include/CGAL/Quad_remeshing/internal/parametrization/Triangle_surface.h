@@ -18,6 +18,7 @@
 // A triangle mesh in plain arrays with its intrinsic geometry: lengths, angles, and a plane layout
 // of each face, on which all steps of the parametrization work.
 
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
@@ -60,9 +61,9 @@ struct Triangle_surface : Flat_mesh<Flat_corner>
   { return component[face(corner_at_vertex[v])]; }
 
   // A place in the mesh for messages: faces are counted in the order of `faces(tmesh)`.
-  std::string describe_vertex(const std::size_t v) const
+  Message describe_vertex(const std::size_t v) const
   {
-    return "a vertex of face " + std::to_string(face(corner_at_vertex[v]));
+    return "a vertex of " + name_of_face(std::size_t(face(corner_at_vertex[v])));
   }
 
   // A direction at angle `a` in the layout of face(h) has the angle `a + transport(h)` in that of

@@ -79,8 +79,9 @@ inline Prescribed_field prescribe_alignment(const Triangle_surface& surface,
     }
     if(count == 3)
       throw Refusal(Outcome::INVALID_ALIGNMENT,
-                    "all three edges of face " + std::to_string(f) + " are to be aligned, which "
-                    "would collapse it: split the face, release an edge, or leave out the face");
+                    "all three edges of " + name_of_face(std::size_t(f)) +
+                      " are to be aligned, which would collapse it: split the face, release an "
+                      "edge, or leave out the face");
   }
   // A face of two aligned edges is opened last, as a sector of several faces can be opened by the
   // rotations between them, too.

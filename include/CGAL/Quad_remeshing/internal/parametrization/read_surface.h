@@ -135,7 +135,7 @@ inline Prescribed_field read_directions(const Triangle_surface& surface,
   for(std::size_t f = 0; f < directions.size(); ++f) {
     for(const double x : directions[f])
       if(!std::isfinite(x))
-        throw Refusal(Outcome::NOT_FINITE, "the direction of face " + std::to_string(f) +
+        throw Refusal(Outcome::NOT_FINITE, "the direction of " + name_of_face(f) +
                                              " has a NaN or infinite coordinate");
     const auto corner = [&](const int i) -> const Point&
       { return points[surface.vertex(Corner_index(3 * f) + i)]; };

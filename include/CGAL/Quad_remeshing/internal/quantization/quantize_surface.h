@@ -18,6 +18,7 @@
 // From the faces of a map to its quantization.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/Chart_mesh.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
@@ -151,7 +152,7 @@ struct Quantized_surface
 // \param vertex_name for messages
 Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& is_feature,
                               const Quantization_options& options,
-                              const std::function<std::string(std::size_t)>& vertex_name);
+                              const std::function<Message(std::size_t)>& vertex_name);
 
 // Quantizes the surface again, for another number of quads.
 // \pre there is a quantization

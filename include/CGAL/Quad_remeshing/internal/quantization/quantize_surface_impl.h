@@ -49,14 +49,15 @@ inline bool check_options(const Quantization_options& options, Report& report)
   const double largest = (std::min)(std::ldexp(1., 28), options.maximum_number);
   if(!(options.maximum_feature_loss >= 0 && options.maximum_feature_loss <= 1))
     return refuse(report, Outcome::INVALID_ARGUMENT,
-                  "maximum_feature_loss must be at least 0 and at most 1");
+                  term("maximum_feature_loss") + " must be at least 0 and at most 1");
   return options.is_coarsest ||
          (options.number_of_quads >= 1 && options.number_of_quads <= largest) ||
          refuse(report, Outcome::INVALID_ARGUMENT,
                 "the target is " + (std::isnan(options.number_of_quads)
                                       ? "no number of" : short_number(options.number_of_quads)) +
-                  " quads; it must be at least 1 and at most 2^28, and at most maximum_number; see "
-                  "target_number_of_quads and target_edge_length");
+                  " quads" +
+                  remedy("it must be at least 1 and at most 2^28, and at most maximum_number; see "
+                         "target_number_of_quads and target_edge_length"));
 }
 
 class Surface_coarsener
@@ -64,7 +65,7 @@ class Surface_coarsener
 public:
   // \param result tells why there is no coarse surface
   Surface_coarsener(const Chart_mesh& mesh, const std::vector<char>& is_feature,
-                    const std::function<std::string(std::size_t)>& vertex_name,
+                    const std::function<Message(std::size_t)>& vertex_name,
                     Quantization& result)
     : m_mesh(mesh), m_is_feature(is_feature), m_vertex_name(vertex_name), m_result(result)
   { }
@@ -91,10 +92,11 @@ private:
     Integer_reader reader(m_mesh, m_is_feature);
     if(!reader.read(input))
       return refuse(m_result, Outcome::TOO_LARGE,
-                  "the coordinates around vertex " + m_vertex_name(reader.unrepresentable_vertex) +
+                  "the coordinates around " + m_vertex_name(reader.unrepresentable_vertex) +
                     " have more bits than integers of 64 bits can hold beside the largest "
-                    "coordinate; add twice the largest one to all, and snap the map by "
-                    "snap_to_seamless()");
+                    "coordinate" +
+                    remedy("add twice the largest one to all, and snap the map by "
+                           "snap_to_seamless()"));
     m_result.number_of_unaligned_features = reader.number_of_unaligned_features;
     return true;
   }
@@ -114,10 +116,10 @@ private:
       return refuse(m_result, Outcome::NOT_ALIGNED,
                     counted(number_near_by, "border edge") +
                       (number_near_by == 1 ? " lies" : " lie") +
-                      " on isocurves nearly, but not exactly, the first leads from vertex " +
-                      m_vertex_name(m_mesh.source(first_near_by)) + " to vertex " +
+                      " on isocurves nearly, but not exactly, the first leads from " +
+                      m_vertex_name(m_mesh.source(first_near_by)) + " to " +
                       m_vertex_name(m_mesh.vertex(first_near_by)) +
-                      "; snap with align_border(true)");
+                      remedy("snap with align_border(true)"));
     surface.steps.add_to(surface.input);
     const Intrinsic_complex complex = make_complex(surface.input);
     const std::string problem =
@@ -129,7 +131,7 @@ private:
 
   const Chart_mesh& m_mesh;
   const std::vector<char>& m_is_feature;
-  const std::function<std::string(std::size_t)>& m_vertex_name;
+  const std::function<Message(std::size_t)>& m_vertex_name;
   Quantization& m_result;
 };
 
@@ -167,14 +169,14 @@ public:
     if(has_too_many())
       return refuse(m_result, Outcome::TOO_LARGE,
                     "there would be " + std::to_string(m_result.number_of_quads) + " quads: " +
-                      words_for_number() + ". That is more than maximum_number: raise it, or ask "
-                      "for about as many, mark fewer features, or release some by "
-                      "maximum_feature_loss");
+                      words_for_number() +
+                      term(". That is more than maximum_number: raise it, or ask for about as "
+                           "many, mark fewer features, or release some by maximum_feature_loss"));
     if(has_reached_maximum)
       return refuse(m_result, Outcome::TOO_LARGE,
                     "quads meet themselves, or each other twice, and no mesh of at most " +
                       std::to_string(std::llround(m_options.maximum_number)) +
-                      " quads was found, which is maximum_number: raise it");
+                      " quads was found" + term(", which is maximum_number: raise it"));
     m_result.set_surface(std::make_shared<const Quantized_surface>(
       Quantized_surface{m_coarse, joined(parts), m_options.needs_face_graph}));
     return true;
@@ -320,11 +322,11 @@ private:
   }
 
   // Where more than half of the quads are forced.
-  std::string words_for_remedy() const
+  Message words_for_remedy() const
   {
     return 2 * m_result.number_of_forced_quads > m_result.number_of_quads &&
                m_options.maximum_feature_loss == 0
-             ? "; some features can be released by maximum_feature_loss" : "";
+             ? remedy("some features can be released by maximum_feature_loss") : Message();
   }
 
   std::shared_ptr<const Coarse_surface> m_coarse;
@@ -373,10 +375,10 @@ public:
         costly.find(std::ldexp(most, round + 1 - most_rounds) - lost, most - lost);
       if(found.empty()) {
         if(round == 0)
-          add_note(m_result, std::string("no feature is released: ") +
-                               (costly.exist() ? "each that forces quads has a larger part of the "
-                                                 "length than maximum_feature_loss allows"
-                                               : "none seems to force quads"));
+          add_note(m_result, costly.exist()
+                     ? "no feature is released: each that forces quads has a larger part of the "
+                       "length than " + term("maximum_feature_loss") + " allows"
+                     : "no feature is released: none seems to force quads");
         break;
       }
       surface = std::make_shared<const Coarse_surface>(without_features(*surface, found));
@@ -419,14 +421,14 @@ void refuse_overflow(const Run& run, Quantization& result)
   } catch(const Integer_overflow&) {
     refuse(result, Outcome::TOO_LARGE,
            "the coordinates and the edges of a coarse triangulation differ too much in size for "
-           "integers of 64 bits; pass the map through snap_to_seamless()");
+           "integers of 64 bits" + remedy("pass the map through snap_to_seamless()"));
   }
 }
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& is_feature,
                               const Quantization_options& options,
-                              const std::function<std::string(std::size_t)>& vertex_name)
+                              const std::function<Message(std::size_t)>& vertex_name)
 {
   Quantization result;
   const auto run = [&] {

@@ -71,7 +71,7 @@ inline constexpr const char* words_for_spent_work =
   "searches have ended at the bound of their work";
 
 // To what a report tells, once.
-inline void add_note(Report& report, const std::string& note)
+inline void add_note(Report& report, const Message& note)
 {
   if(report.message.find(note) == std::string::npos)
     report.message += (report.message.empty() ? "" : "; ") + note;

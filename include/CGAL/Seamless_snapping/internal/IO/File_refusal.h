@@ -17,6 +17,9 @@
 
 // The reason for refusing a file. Never leaves the readers and writers.
 
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/packages_below.h>
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -26,24 +29,28 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+// A remedy for files without coordinates.
+constexpr const char* compute_coordinates = "approximate_seamless_parametrization() computes some";
+
 class File_refusal
   : public std::runtime_error
 {
 public:
   // `line` is the one to look at; 0: none
-  File_refusal(std::size_t line, const std::string& reason)
-    : std::runtime_error(reason), m_line(line)
+  File_refusal(const std::size_t line, const Message& reason)
+    : std::runtime_error(reason.str()), m_reason(reason), m_line(line)
   { }
 
   std::size_t line() const { return m_line; }
 
   // With the line, if there is one.
-  std::string message() const
+  Message message() const
   {
-    return (m_line == 0 ? "" : "line " + std::to_string(m_line) + ": ") + std::string(what());
+    return (m_line == 0 ? "" : "line " + std::to_string(m_line) + ": ") + m_reason;
   }
 
 private:
+  Message m_reason;
   std::size_t m_line;
 };
 

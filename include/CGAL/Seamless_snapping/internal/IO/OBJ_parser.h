@@ -131,7 +131,8 @@ private:
     const std::size_t first = (std::min)(token.find('/'), token.size());
     const std::size_t second = (std::min)(token.find('/', first + 1), token.size());
     if(second < first + 2)
-      m_scanner.refuse("corner " + quoted(token) + " has no texture coordinate (vt)");
+      m_scanner.refuse("corner " + quoted(token) + " has no texture coordinate (vt)" +
+                       remedy(compute_coordinates));
     vertex = parse_index(token.substr(0, first), m_soup.points.size(), "vertex");
     uv = parse_index(token.substr(first + 1, second - first - 1), m_soup.uvs.size(),
                      "texture coordinate");

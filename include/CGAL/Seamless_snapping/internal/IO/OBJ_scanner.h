@@ -127,7 +127,7 @@ public:
   // The line on which the statement starts, counted from 1.
   std::size_t line() const { return m_line; }
 
-  [[noreturn]] void refuse(const std::string& reason) const { throw File_refusal(m_line, reason); }
+  [[noreturn]] void refuse(const Message& reason) const { throw File_refusal(m_line, reason); }
 
 private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }

@@ -80,7 +80,8 @@ private:
     if(property == element.properties.size()
        || element.properties[property].is_list != is_list)
       throw File_refusal(0, "element " + std::string(element.name) + " has no "
-                              + (is_list ? "list " : "number ") + name);
+                              + (is_list ? "list " : "number ") + name
+                              + (name == "texcoord" ? remedy(compute_coordinates) : Message()));
   }
 
   void parse_vertices(const PLY_element& element)

@@ -198,15 +198,17 @@ private:
                            const std::string& when) const
   {
     const auto name = [&](const std::size_t v) {
-      return std::to_string(!m_names->empty() ? (*m_names)[v] : line(fault) == 0 ? v : v + 1);
+      return std::size_t(!m_names->empty() ? (*m_names)[v] : line(fault) == 0 ? v : v + 1);
     };
     const auto [low, high] = ends(fault.side);
-    const std::string edge = when + "edge " + name(low) + " " + name(high);
+    const Message edge = when + name_of_vertex(name(low), "edge") + " "
+                         + name_of_vertex(name(high), "");
     if(last - first > 2)
       throw File_refusal(line(fault),
                          edge + " is not manifold: " + std::to_string(last - first)
                          + " faces share it (" + places({first, first + 3}, ", ")
-                         + (last - first > 3 ? ", ...)" : ")"));
+                         + (last - first > 3 ? ", ...)" : ")") +
+                         remedy("CGAL::Polygon_mesh_processing::orient_polygon_soup() cuts it"));
 
     throw File_refusal(line(fault),
                        edge + " has the same direction in two faces ("

@@ -100,7 +100,7 @@ private:
   using Soup = Corner_soup<double, double>;
   using Point_2 = CGAL::Simple_cartesian<double>::Point_2;
 
-  static Refusal invalid(const std::string& message)
+  static Refusal invalid(const Message& message)
   {
     return {Outcome::INVALID_ARGUMENT, message};
   }
@@ -112,14 +112,14 @@ private:
   {
     constexpr std::int64_t largest = (std::int64_t(1) << 31) - 2;
     for(const auto& triangle : triangles) {
-      const std::string face = "face " + std::to_string(m_soup.triangles.size());
+      const Message face = name_of_face(m_soup.triangles.size());
       Soup::Triangle t{};
       std::size_t size = 0;
       for(const auto index : triangle) {
         const std::int64_t v = static_cast<std::int64_t>(index);
         if(v < 0 || v > largest)
           return invalid(face + " has the vertex " + std::to_string(v) +
-                         "; vertices are integers from 0 to 2^31 - 2");
+                         remedy("vertices are integers from 0 to 2^31 - 2"));
         if(size < 3)
           t.vertices[size] = Soup_index(v);
         ++size;
@@ -127,10 +127,10 @@ private:
       }
       if(size != 3)
         return Refusal(Outcome::NOT_TRIANGULAR, face + " has " + std::to_string(size) +
-                       " corners; triangulate the surface first");
+                       " corners" + remedy("triangulate the surface first"));
       const auto& v = t.vertices;
       if(v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
-        return invalid(face + " has a vertex twice; remove it first");
+        return invalid(face + " has a vertex twice" + remedy("remove it first"));
       m_soup.triangles.push_back(t);
     }
     return std::nullopt;
@@ -155,14 +155,15 @@ private:
     if constexpr(is_given<EdgeRange>)
       for(const auto& edge : feature_edges) {
         if(std::distance(std::begin(edge), std::end(edge)) != 2)
-          return invalid("feature_edges: an edge has not 2 vertices");
+          return invalid(term("feature_edges") + ": an edge has not 2 vertices");
         const auto u = static_cast<std::int64_t>(*std::begin(edge));
         const auto v = static_cast<std::int64_t>(*std::next(std::begin(edge)));
         const Side_index side = edges.find(used.number(std::size_t(u)),
                                            used.number(std::size_t(v)));
         if(side == Soup_edges<Soup::Triangle>::no_side)
-          return invalid("feature_edges: there is no edge between the vertices " +
-                         std::to_string(u) + " and " + std::to_string(v));
+          return invalid(term("feature_edges") + ": there is no edge between the " +
+                         name_of_vertex(std::size_t(u), "vertices") + " and " +
+                         name_of_vertex(std::size_t(v), ""));
         m_is_feature[m_mesh.edge(halfedges[side])] = true;
       }
     return std::nullopt;

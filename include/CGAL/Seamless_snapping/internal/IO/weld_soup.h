@@ -102,9 +102,9 @@ void replace_vertices(const std::vector<std::size_t>& welded, Soup& soup)
     for(Soup_index& vertex : v)
       vertex = Soup_index(welded[vertex]);
     if(v[0] == v[1] || v[0] == v[2] || v[1] == v[2]) {
-      const std::string face = triangle.line == 0
-                                 ? "face " + std::to_string(&triangle - &soup.triangles[0])
-                                 : "the face";
+      const Message face = triangle.line == 0
+                             ? name_of_face(std::size_t(&triangle - &soup.triangles[0]))
+                             : "the face";
       throw File_refusal(triangle.line, face + " has no area, and welding makes two of its corners "
                                                "one vertex; remove it first");
     }

@@ -112,14 +112,14 @@ private:
     }
     if(count == 0)
       return;
-    const std::string message =
+    const Message message =
         edge_name(surface, worst) +
         " is to be aligned, but " +
         (Group::is_signed_permutation ? "neither coordinate" : "none of u, v, and u + v") +
         " is constant along it: the least change is " +
         short_number(m_violation) + ", more than the tolerance of " + short_number(tolerance) +
         (count > 1 ? ", as with " + counted(count - 1, "other edge") : std::string()) +
-        "; constrain only edges that lie on isocurves, or raise the tolerance";
+        remedy("constrain only edges that lie on isocurves, or ") + term(raise_tolerance);
     m_refusal = Refusal(Outcome::NOT_ALIGNED, message);
   }
 

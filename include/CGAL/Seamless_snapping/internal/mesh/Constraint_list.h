@@ -67,7 +67,7 @@ struct Constraint_list
 
   bool empty() const { return paths.empty() && equations.empty(); }
 
-  static std::string name_of_equation(const std::size_t i)
+  static Message name_of_equation(const std::size_t i)
   { return "corner constraint " + std::to_string(i); }
 
   // The corners whose coordinates occur, in the order: both ends of each path, all terms, points of

@@ -21,6 +21,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 
@@ -287,17 +288,18 @@ bool has_border_at_target(const Surface& surface, const typename Surface::Halfed
 
 // For messages.
 template <typename Surface>
-std::string vertex_name(const Surface& surface, const typename Surface::Halfedge h)
+Message vertex_name(const Surface& surface, const typename Surface::Halfedge h,
+                    const std::string& noun = "vertex")
 {
   const std::size_t v = surface.vertex(h);
-  return std::to_string(surface.names() == nullptr ? v : (*surface.names())[v]);
+  return name_of_vertex(surface.names() == nullptr ? v : (*surface.names())[v], noun);
 }
 
 template <typename Surface>
-std::string edge_name(const Surface& surface, const typename Surface::Halfedge h)
+Message edge_name(const Surface& surface, const typename Surface::Halfedge h)
 {
-  return "the edge between vertices " + vertex_name(surface, surface.opposite(h)) + " and " +
-         vertex_name(surface, h);
+  return "the edge between " + vertex_name(surface, surface.opposite(h), "vertices") + " and " +
+         vertex_name(surface, h, "");
 }
 
 } // namespace internal

@@ -92,7 +92,7 @@ private:
       }
       if(degree != 3 && !m_refusal)
         m_refusal = Refusal(Outcome::NOT_TRIANGULAR,
-                            "face " + std::to_string(index) + " has " + std::to_string(degree) +
+                            name_of_face(index) + " has " + std::to_string(degree) +
                               " edges: triangulate the faces of the mesh first");
       ++index;
     }
@@ -163,10 +163,9 @@ std::optional<Refusal> find_several_fans(const Flat_mesh<Corner>& mesh)
     for_each_corner(mesh, v, [&](Corner_index) { --degree[v]; });
     if(degree[v] != 0)
       return Refusal(Outcome::NOT_MANIFOLD,
-                     "the faces around a vertex of face " +
-                       std::to_string(mesh.face(mesh.corner_at_vertex[v])) +
-                       " form more than one fan: see "
-                       "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()");
+                     "the faces around a vertex of " +
+                       name_of_face(std::size_t(mesh.face(mesh.corner_at_vertex[v]))) +
+                       " form more than one fan: " + term(duplicate_vertices));
   }
   return std::nullopt;
 }

@@ -73,31 +73,30 @@ inline double violation_of_symmetry(const std::vector<Edge_sides>& edges, const 
 // \param edges those that the given order does not explain, all of them
 // \param tolerance a distance
 // \param N the given order
-inline std::string hint_on_symmetry(const std::vector<Edge_sides>& edges, const double tolerance,
-                                    const int N)
+inline Message hint_on_symmetry(const std::vector<Edge_sides>& edges, const double tolerance,
+                                const int N)
 {
   const bool is_lattice = N == 3 || N == 6;
   const auto fits = [&](const int order, const bool are_lattice) {
     return violation_of_symmetry(edges, order, are_lattice) <= tolerance;
   };
-  const auto parameter = [](const int order) {
-    return "rotational_symmetry(Rotational_symmetry<" + std::to_string(order) + ">())";
+  const auto hint = [](const int order, const std::string& coordinates, const std::string& how) {
+    const std::string n = std::to_string(order);
+    return remedy("the map is seamless for N = " + n + ", in " + coordinates + " coordinates") +
+           term(how + "pass rotational_symmetry(Rotational_symmetry<" + n + ">())") +
+           (order == 4 ? ", the default" : "");
   };
   for(const int order : {1, 2, 4})
     if((is_lattice || order > N) && fits(order, false))
-      return "; the map is seamless for N = " + std::to_string(order) + ", in " +
-             "Cartesian coordinates: pass " + parameter(order) +
-             (order == 4 ? ", the default" : "");
+      return hint(order, "Cartesian", ": ");
   for(const int order : {3, 6}) {
     if((!is_lattice || order > N) && fits(order, true))
-      return "; the map is seamless for N = " + std::to_string(order) + ", in lattice " +
-             "coordinates: pass " + parameter(order);
+      return hint(order, "lattice", ": ");
     if(fits(order, false))
-      return "; the map is seamless for N = " + std::to_string(order) + ", in Cartesian " +
-             "coordinates, in which it cannot be exact: apply convert_to_lattice_coordinates(), " +
-             "and pass " + parameter(order);
+      return hint(order, "Cartesian", ", in which it cannot be exact: apply "
+                                      "convert_to_lattice_coordinates(), and ");
   }
-  return std::string();
+  return {};
 }
 
 // The transitions of a uv map.
@@ -284,30 +283,31 @@ private:
     }
     if(worst == nullptr)
       return true;
-    std::string hint = hint_on_other_symmetry(data);
+    Message hint = hint_on_other_symmetry(data);
     if(hint.empty() && 2 * count > data.edges.size() &&
        worst_violation > far_from_seamless * (data.extent * m_scale))
-      hint = "; most of " + counted(data.edges.size(), "cut edge") + " miss by so much that this "
-             "is no inaccuracy: parametrizations that leave the border of a cut surface free, such "
-             "as ARAP and LSCM, are not seamless; compute an orbifold embedding, an integer-grid "
-             "map, or a map that is aligned to a cross field";
+      hint = remedy("most of " + counted(data.edges.size(), "cut edge") + " miss by so much that "
+                    "this is no inaccuracy: parametrizations that leave the border of a cut "
+                    "surface free, such as ARAP and LSCM, are not seamless; compute an orbifold "
+                    "embedding, an integer-grid map, or a map that is aligned to a cross field");
     fail(data, Outcome::NOT_SEAMLESS, worst->halfedge,
          " has sides that differ by " + short_number(worst_violation / (data.extent * m_scale)) +
          " of the extent, more than the tolerance of " + short_number(m_tolerance) +
          (count > 1 ? ", as with " + counted(count - 1, "other edge") : std::string()) +
-         (hint.empty() ? "; if this is the accuracy of the parametrization, raise the tolerance"
-                       : hint));
+         (hint.empty()
+            ? remedy("if this is the accuracy of the parametrization, ") + term(raise_tolerance)
+            : hint));
     return false;
   }
 
   // Given cuts and rotations are those of the symmetry, so that there is no other.
-  std::string hint_on_other_symmetry(const Data& data) const
+  Message hint_on_other_symmetry(const Data& data) const
   {
     std::vector<Edge_sides> edges;
     for(const Mismatched_edge<Halfedge>& edge : data.edges)
       edges.push_back(edge.sides);
     return m_given.has_cuts() || m_given.has_rotations()
-      ? std::string() : hint_on_symmetry(edges, m_tolerance * data.extent, m_given.order());
+      ? Message() : hint_on_symmetry(edges, m_tolerance * data.extent, m_given.order());
   }
 
   // Returns false if an edge takes a rotation from its surroundings that misses by too much.
@@ -337,7 +337,7 @@ private:
   }
 
   void fail(Data& data, const Outcome status, const Halfedge h,
-            const std::string& what) const
+            const Message& what) const
   {
     data.refusal = Refusal(status, edge_name(m_surface, h) + what);
     data.edges.clear(); // incomplete
@@ -359,7 +359,7 @@ Transition_data<typename Surface::Halfedge> Transition_reader<Group, Surface>::r
     return data;
   if(!(m_tolerance >= 0)) {
     data.refusal = Refusal(Outcome::INVALID_ARGUMENT, "the tolerance is " +
-                           short_number(m_tolerance) + "; it must not be negative");
+                           short_number(m_tolerance) + remedy("it must not be negative"));
     return data;
   }
   std::function<bool(Halfedge)> is_cut_anyway;

@@ -87,16 +87,15 @@ std::optional<Refusal> find_bad_face(const Surface& surface)
       ++degree;
       if(!is_in_range(surface.uv(h)))
         refusal = Refusal(Outcome::NOT_FINITE,
-                          "face " + std::to_string(index) + " has a coordinate that is NaN, "
-                          "infinite, or beyond 1e300 at vertex " +
-                          vertex_name(surface, h) +
-                          "; all corners need finite coordinates");
+                          name_of_face(index) + " has a coordinate that is NaN, "
+                          "infinite, or beyond 1e300 at " + vertex_name(surface, h) +
+                          remedy("all corners need finite coordinates"));
       h = surface.next(h);
     } while(h != first);
     if(degree != 3)
       refusal = Refusal(Outcome::NOT_TRIANGULAR,
-                        "face " + std::to_string(index) + " has " + std::to_string(degree) +
-                        " corners; triangulate the mesh first");
+                        name_of_face(index) + " has " + std::to_string(degree) + " corners" +
+                        remedy("triangulate the mesh first"));
     if(refusal)
       break;
     ++index;

@@ -142,9 +142,9 @@ private:
       const Uv& u = m_surface.uv(h);
       if((std::max)(std::abs(u[0]), std::abs(u[1])) > largest_grid_coordinate)
         return Refusal(Outcome::NOT_REPRESENTABLE,
-                       "a coordinate of vertex " + vertex_name(m_surface, h) +
-                         " is too large: beyond 2^46, where units can't be counted safely; move or "
-                         "shrink the map");
+                       "a coordinate of " + vertex_name(m_surface, h) +
+                         " is too large: beyond 2^46, where units can't be counted safely" +
+                         remedy("move or shrink the map"));
     }
     return std::nullopt;
   }
@@ -251,8 +251,8 @@ private:
     }
     if(!has_new_cone())
       return std::nullopt;
-    m_report.message = "repairs of flipped faces have made cones that are no points of the grid; "
-                       "scale the map up by grid_scale";
+    m_report.message = "repairs of flipped faces have made cones that are no points of the grid" +
+                       remedy(scale_up);
     if(number_of_flips(m_report) > 0)
       return std::nullopt;
     return Refusal(Outcome::NOT_INTEGER, m_report.message);
@@ -281,8 +281,10 @@ private:
     if(auto refusal = Integer_rounding<Group>(cuts.complex, cuts.grid_points)
                         .run(m_surface.format(), roundings)) {
       refusal->message = constraints.empty()
-        ? "the integers near by would be too large for the number type; scale the map down"
-        : "the further constraints don't hold for any integers near by; correct or remove them";
+        ? "the integers near by would be too large for the number type" +
+            remedy("scale the map down")
+        : "the further constraints don't hold for any integers near by" +
+            remedy("correct or remove them");
       return refusal;
     }
     const Rounding<Group>* worst = farthest(roundings, cuts);
@@ -295,8 +297,10 @@ private:
     return Refusal(Outcome::NOT_INTEGER,
                    name_of_rounding(*worst, m_surface, cuts) + " must move by " +
                      short_number(worst->distance()) + " to reach the integer that fits the "
-                     "others, but the rounding_tolerance is " + short_number(tolerance) +
-                     "; raise it to at least this distance, or scale the map up by grid_scale");
+                     "others, but " + term("the rounding_tolerance is") + " " +
+                     short_number(tolerance) +
+                     remedy("raise it to at least this distance, or scale the map up by "
+                            "grid_scale"));
   }
 
   // Null if there is none but of points that are free to move.

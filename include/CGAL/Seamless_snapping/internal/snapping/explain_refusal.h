@@ -33,7 +33,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -43,8 +43,8 @@ namespace internal {
 
 // The place of a rounding.
 template <typename Group, typename Surface>
-std::string name_of_rounding(const Rounding<Group>& rounding, const Surface& surface,
-                             const Surface_cuts<Group, typename Surface::Halfedge>& cuts)
+Message name_of_rounding(const Rounding<Group>& rounding, const Surface& surface,
+                         const Surface_cuts<Group, typename Surface::Halfedge>& cuts)
 {
   switch(rounding.kind) {
   case Rounding<Group>::BRANCH:
@@ -55,16 +55,16 @@ std::string name_of_rounding(const Rounding<Group>& rounding, const Surface& sur
     break;
   }
   const auto corner = cuts.corners[rounding.index].front();
-  return std::string(has_border_at_target(surface, corner) ? "the border" : "the cone") +
-         " at vertex " + vertex_name(surface, corner);
+  return (has_border_at_target(surface, corner) ? "the border at " : "the cone at ") +
+         vertex_name(surface, corner);
 }
 
 // What a row stands for.
 template <typename Group, typename Surface>
-std::string name_of_row(const Row_origin& origin, const Surface& surface,
-                        const Surface_cuts<Group, typename Surface::Halfedge>& cuts,
-                        const Constraint_list<typename Surface::Halfedge>& constraints,
-                        const std::vector<Rounding<Group> >& roundings)
+Message name_of_row(const Row_origin& origin, const Surface& surface,
+                    const Surface_cuts<Group, typename Surface::Halfedge>& cuts,
+                    const Constraint_list<typename Surface::Halfedge>& constraints,
+                    const std::vector<Rounding<Group> >& roundings)
 {
   const std::size_t i = origin.index, end = origin.is_at_end ? 1 : 0;
   switch(origin.kind) {
@@ -92,24 +92,28 @@ Refusal explained(Refusal refusal, const Surface& surface,
   if(refusal.status == Outcome::NOT_REPRESENTABLE) {
     refusal.message =
         constraints.equations.empty()
-            ? "the exact coordinates would exceed the largest number of their type; scale them down"
+            ? "the exact coordinates would exceed the largest number of their type" +
+                remedy("scale them down")
             : "the corner constraints have solutions, but none whose coordinates are multiples of "
-              "one power of two that the number type can hold at the size of the coordinates; "
-              "round their right-hand sides to fewer bits";
+              "one power of two that the number type can hold at the size of the coordinates" +
+                remedy("round their right-hand sides to fewer bits");
     return refusal;
   }
   constexpr std::size_t at_most = 8;
-  std::set<std::string> names;
-  for(const auto& multiple : refusal.certificate)
-    names.insert(name_of_row(system.origin(multiple.first), surface, cuts, constraints, roundings));
+  std::map<std::string, Message> names;
+  for(const auto& multiple : refusal.certificate) {
+    const Message name = name_of_row(system.origin(multiple.first), surface, cuts, constraints,
+                                     roundings);
+    names.emplace(name.str(), name);
+  }
   refusal.message = "constraints contradict each other:";
   std::size_t count = 0;
-  for(const std::string& name : names)
+  for(const auto& name : names)
     if(++count <= at_most)
-      refusal.message += (count == 1 ? " " : ", ") + name;
+      refusal.message += (count == 1 ? " " : ", ") + name.second;
   if(count > at_most)
     refusal.message += ", and " + std::to_string(count - at_most) + " more";
-  refusal.message += "; remove or correct one of them";
+  refusal.message += remedy("remove or correct one of them");
   return refusal;
 }
 
@@ -122,8 +126,8 @@ std::optional<Refusal> check_paths(const Cut_complex<Group>& complex,
                                    const double tolerance, Snapping_report& report)
 {
   if(!(tolerance >= 0))
-    return Refusal(Outcome::INVALID_ARGUMENT, "connection_tolerance is " +
-                   short_number(tolerance) + "; it must not be negative");
+    return Refusal(Outcome::INVALID_ARGUMENT, term("connection_tolerance") + " is " +
+                   short_number(tolerance) + remedy("it must not be negative"));
   std::size_t worst = 0, count = 0;
   for(std::size_t i = 0; i < complex.paths.size(); ++i) {
     const double distance =
@@ -139,10 +143,11 @@ std::optional<Refusal> check_paths(const Cut_complex<Group>& complex,
     return std::nullopt;
   return Refusal(Outcome::NOT_CONNECTED, constraints.paths[worst].name + " misses by " +
                  short_number(report.connection_violation_before / report.extent) +
-                 " of the extent, more than the connection_tolerance of " +
+                 " of the extent, more than " + term("the connection_tolerance of") + " " +
                  short_number(tolerance) +
                  (count > 1 ? ", as with " + counted(count - 1, "other") : std::string()) +
-                 "; see whether its path is the one that is meant, and raise the tolerance if so");
+                 remedy("see whether its path is the one that is meant, and raise the tolerance "
+                        "if so"));
 }
 
 } // namespace internal

@@ -85,11 +85,12 @@ double compare_with_input(const std::vector<Uv>& input, const double scale,
   return area;
 }
 
-inline std::string number_of_faces_in_words(const std::vector<std::size_t>& faces,
-                                            const std::string& one, const std::string& many)
+inline Message number_of_faces_in_words(const std::vector<std::size_t>& faces,
+                                        const std::string& one, const std::string& many)
 {
-  return std::to_string(faces.size()) + (faces.size() == 1 ? one : many) + " (" +
-         (faces.size() == 1 ? "" : "the first is ") + "face " + std::to_string(faces.front()) + ")";
+  return std::to_string(faces.size()) +
+         (faces.size() == 1 ? one + " (" : many + " (the first is ") +
+         name_of_face(faces.front()) + ")";
 }
 
 // What became of the orientations, in words; and in the status, where repairs were asked for.
@@ -101,7 +102,7 @@ void tell_of_faces(const NamedParameters& np, Snapping_report& report)
   const bool has_flips = is_asked && !report.remaining_flips.empty();
   if(!report || (!has_flips && report.lost_faces.empty()))
     return;
-  std::string note;
+  Message note;
   if(has_flips)
     note = number_of_faces_in_words(report.remaining_flips, " face is still flipped or degenerate",
                                     " faces are still flipped or degenerate");
@@ -116,9 +117,9 @@ void tell_of_faces(const NamedParameters& np, Snapping_report& report)
             " of them no area, whatever the coordinates are: correct the seams, or align less";
   else if(is_asked && report.run.number_of_untangling_iterations ==
                         chosen_number_of_untangling_iterations(np))
-    note += "; the search for repairs ended at number_of_untangling_iterations: raise it";
+    note += remedy("the search for repairs ended at number_of_untangling_iterations: raise it");
   else if(repair == Flip_repair::NEAR_BY && report.message.empty())
-    note += "; Flip_repair::UNTANGLE changes more of the map";
+    note += remedy("Flip_repair::UNTANGLE changes more of the map");
   report.message += (report.message.empty() ? "" : "; ") + note;
 }
 
@@ -194,7 +195,7 @@ Snapping_report snap_copy(Surface& input, const double scale, const IndexMap& in
 {
   if(!(scale > 0 && std::isfinite(scale)))
     return refused<Snapping_report>(
-      Report(Outcome::INVALID_ARGUMENT, "grid_scale must be positive and finite"));
+      Report(Outcome::INVALID_ARGUMENT, term("grid_scale") + " must be positive and finite"));
   for(const auto& refusal : {check_indices(input), find_bad_face(input)})
     if(refusal)
       return refused<Snapping_report>(*refusal);
@@ -215,7 +216,8 @@ Snapping_report snap_copy(Surface& input, const double scale, const IndexMap& in
   // nothing but flips makes it less than half a cell, and faces between no integers
   if(area < 0.25 && !report.lost_faces.empty()) {
     refuse(report, Outcome::NOT_INTEGER,
-           "at the nearest integers, the map covers no cell; scale the map up by grid_scale");
+           "at the nearest integers, the map covers no cell" +
+             remedy(scale_up));
     return report;
   }
   report.status = Outcome::SNAPPED;

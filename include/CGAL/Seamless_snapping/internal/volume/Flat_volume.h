@@ -19,6 +19,7 @@
 // corners in plain arrays, and the lists of facets and edges that constraints are about.
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Facet_vectors.h>
 
 #include <array>
@@ -76,11 +77,12 @@ inline double six_times_volume(const Uvw_tetrahedron& u, const double scale = 1)
 }
 
 // Where a problem is, for messages: "facet 3, 4, 7".
-inline std::string name_of(const char* const what, const std::vector<std::int64_t>& vertices)
+inline Message name_of(const char* const what, const std::vector<std::int64_t>& vertices)
 {
-  std::string result = what;
-  for(std::size_t i = 0; i < vertices.size(); ++i)
-    result += (i == 0 ? " " : ", ") + std::to_string(vertices[i]);
+  Message result;
+  for(const std::int64_t v : vertices)
+    result += result.empty() ? name_of_vertex(std::size_t(v), what)
+                             : ", " + name_of_vertex(std::size_t(v), "");
   return result;
 }
 
@@ -142,7 +144,7 @@ struct Flat_volume
     return result;
   }
 
-  std::string name_of_facet(const Corner_index facet) const
+  Message name_of_facet(const Corner_index facet) const
   {
     std::vector<std::int64_t> names;
     for(const Corner_index corner : corners_of_facet(facet))
@@ -150,7 +152,7 @@ struct Flat_volume
     return name_of("facet", names);
   }
 
-  std::string name_of_edge(const Aligned_edge& edge) const
+  Message name_of_edge(const Aligned_edge& edge) const
   {
     return name_of("edge", {vertex_names[std::size_t(vertex(edge.a))],
                             vertex_names[std::size_t(vertex(edge.b))]});

@@ -179,12 +179,12 @@ inline void renumber_vertices(Tetrahedra& tetrahedra)
 constexpr std::size_t largest_number_of_tetrahedra = std::size_t(1) << 27;
 constexpr std::size_t largest_vertex_index = (std::size_t(1) << 31) - 2;
 
-inline Refusal invalid_cells(const std::string& message)
+inline Refusal invalid_cells(const Message& message)
 {
   return {Outcome::INVALID_ARGUMENT, message};
 }
 
-inline std::string name_of_facet(const Tetrahedra& tetrahedra, const Corner_index facet)
+inline Message name_of_facet(const Tetrahedra& tetrahedra, const Corner_index facet)
 {
   std::vector<std::int64_t> names;
   for(const Corner_index corner : corners_of_facet(facet))
@@ -207,11 +207,11 @@ std::optional<Refusal> read_vertices(const TetrahedronRange& tetrahedra, Tetrahe
     return invalid_cells("the mesh has no cell");
   if(size > largest_number_of_tetrahedra)
     return invalid_cells("the mesh has more than " + std::to_string(largest_number_of_tetrahedra) +
-                         " cells; divide it");
+                         " cells" + remedy("divide it"));
   result.vertices.resize(4 * size);
   std::size_t first = 0;
   for(const auto& cell : tetrahedra) {
-    const auto name = [&] { return "cell " + std::to_string(first / 4); };
+    const auto name = [&] { return name_of_element("cell", first / 4); };
     if(cell.size() != 4)
       return invalid_cells(name() + " has " + std::to_string(cell.size()) +
                            " vertices in place of 4");
@@ -221,7 +221,8 @@ std::optional<Refusal> read_vertices(const TetrahedronRange& tetrahedra, Tetrahe
         return invalid_cells(name() + " has a vertex whose index is negative or too large");
       for(std::size_t j = first; j < i; ++j)
         if(result.vertices[j] == static_cast<std::int32_t>(v))
-          return invalid_cells(name() + " has vertex " + std::to_string(v) + " twice; remove it");
+          return invalid_cells(name() + " has " + name_of_vertex(std::size_t(v)) + " twice" +
+                               remedy("remove it"));
       result.vertices[i++] = static_cast<std::int32_t>(v);
       result.number_of_vertices = (std::max)(result.number_of_vertices, std::size_t(v) + 1);
     }
@@ -243,13 +244,15 @@ std::optional<Refusal> read_neighbors(const NeighborRange& neighbors, Tetrahedra
   tetrahedra.neighbors.resize(4 * size);
   std::size_t facet = 0;
   for(const auto& cell : neighbors) {
-    const auto name = [&] { return "cell_neighbors, cell " + std::to_string(facet / 4) + ": "; };
+    const auto name = [&] {
+      return term("cell_neighbors") + ", " + name_of_element("cell", facet / 4) + ": ";
+    };
     if(cell.size() != 4)
       return invalid_cells(name() + "there must be 4");
     for(const auto d : cell) {
       if(!(d < 0) && (!is_index_below(d, size) || static_cast<std::size_t>(d) == facet / 4))
-        return invalid_cells(name() + std::to_string(d) + " is no other cell; without a "
-                             "neighbor, the number must be negative");
+        return invalid_cells(name() + std::to_string(d) + " is no other cell" +
+                             remedy("without a neighbor, the number must be negative"));
       tetrahedra.neighbors[facet++] = d < 0 ? -1 : static_cast<std::int32_t>(d);
     }
   }
@@ -265,17 +268,19 @@ inline std::optional<Refusal> find_opposite(const Tetrahedra& tetrahedra, const 
   if(is_mutual && !(tetrahedra.has_given_neighbors &&
                     are_listed_alike(tetrahedra.vertices, facet, other)))
     return std::nullopt;
-  const std::string c = std::to_string(facet / 4),
-                    d = std::to_string(tetrahedra.neighbors[std::size_t(facet)]);
+  const std::size_t c = std::size_t(facet / 4);
+  const std::string d = std::to_string(tetrahedra.neighbors[std::size_t(facet)]);
+  const Message place = term("cell_neighbors");
   if(is_mutual)
-    return invalid_cells("cell_neighbors: cells " + c + " and " + d + " list their common " +
-                         name_of_facet(tetrahedra, facet) + " in the same order; list all cells in "
-                         "one orientation, or leave cell_neighbors out");
+    return invalid_cells(place + ": " + name_of_element("cells", c) + " and " + d +
+                         " list their common " + name_of_facet(tetrahedra, facet) +
+                         " in the same order" + remedy("list all cells in one orientation, or "
+                                                       "leave cell_neighbors out"));
   if(other < 0)
-    return invalid_cells("cell_neighbors, cell " + c + ": " + d + " is no cell with the facet "
-                         "opposite to vertex " +
+    return invalid_cells(place + ", " + name_of_element("cell", c) + ": " + d +
+                         " is no cell with the facet opposite to vertex " +
                          std::to_string(tetrahedra.turned.key(std::size_t(facet)) % 4));
-  return invalid_cells("cell_neighbors: cell " + c + " has the neighbor " + d +
+  return invalid_cells(place + ": " + name_of_element("cell", c) + " has the neighbor " + d +
                        ", but not the other way round");
 }
 
@@ -309,13 +314,13 @@ inline std::optional<Refusal> find_neighbors(Tetrahedra& tetrahedra)
                        .run(tetrahedra.neighbors, are_coherent);
   if(third != no_facet)
     return Refusal(Outcome::NOT_MANIFOLD,
-                   name_of_facet(tetrahedra, third) + " belongs to more than two cells; remove "
-                     "duplicate cells, or divide the mesh into manifold parts");
+                   name_of_facet(tetrahedra, third) + " belongs to more than two cells" +
+                     remedy("remove duplicate cells, or divide the mesh into manifold parts"));
   for(std::size_t f = 0; f < tetrahedra.neighbors.size(); f += 4)
     if(const std::int32_t d = tetrahedra.neighbors[f]; d >= 0 && d == tetrahedra.neighbors[f + 1])
       return Refusal(Outcome::NOT_MANIFOLD,
-                     "cells " + std::to_string(f / 4) + " and " + std::to_string(d) +
-                       " have the same vertices; remove one of them");
+                     name_of_element("cells", f / 4) + " and " + std::to_string(d) +
+                       " have the same vertices" + remedy("remove one of them"));
   if(!are_coherent)
     turn_cells(tetrahedra);
   return std::nullopt;

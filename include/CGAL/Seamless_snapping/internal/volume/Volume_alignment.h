@@ -36,7 +36,7 @@ struct Volume_alignment
   std::vector<int> coordinate; // per aligned facet: the constant one
   std::vector<int> direction;  // per aligned edge: the one that is not constant
   double violation = 0;        // the largest difference of a coordinate that is to be constant
-  std::string worst;           // where that is
+  Message worst;           // where that is
 };
 
 // A facet that is thinner than the noise takes the coordinate of the facets around it, which lie in

@@ -195,7 +195,7 @@ inline std::optional<Refusal> add_grid_edges(Flat_volume& volume)
       return Refusal(Outcome::NOT_INTEGER,
                      "cells are turned around the singular " + volume.name_of_edge(edge.edge) +
                        " about an axis that is none of the coordinates', so that no integer grid "
-                     "fits; correct the map there");
+                       "fits" + remedy("correct the map there"));
     volume.aligned_edges.push_back(edge.edge);
   }
   return std::nullopt;
@@ -268,9 +268,11 @@ public:
     if(worst.first > m_rounding_tolerance)
       return Refusal(Outcome::NOT_INTEGER,
                      worst.second + " must move by " + short_number(rounded_up(worst.first)) +
-                       " to reach the integer that fits the others, but the rounding_tolerance "
-                       "is " + short_number(m_rounding_tolerance) + "; raise it to at least this "
-                       "distance, or scale the map up by grid_scale");
+                       " to reach the integer that fits the others, but " +
+                       internal::term("the rounding_tolerance is") + " " +
+                       short_number(m_rounding_tolerance) +
+                       remedy("raise it to at least this distance, or scale the map up by "
+                              "grid_scale"));
     if(!expand(*displacement, is_far, rounded))
       return not_representable();
     if(!is_exact(m_volume, transitions, alignment, rounded) ||
@@ -291,7 +293,8 @@ private:
   Refusal not_representable() const
   {
     return {Outcome::NOT_REPRESENTABLE,
-            "the integers near by would be too large for the number type; scale the map down", {}};
+            "the integers near by would be too large for the number type" +
+              remedy("scale the map down"), {}};
   }
 
   // Seven bits for what is behind the point.
@@ -302,11 +305,11 @@ private:
       for(const double x : m_volume.coordinates[i])
         if(std::abs(x) > std::ldexp(1., bits))
           return Refusal(Outcome::NOT_REPRESENTABLE,
-                         "a coordinate at vertex " +
-                           std::to_string(m_volume.vertex_names[std::size_t(
-                             m_volume.vertices[i])]) +
+                         "a coordinate at " +
+                           name_of_vertex(std::size_t(m_volume.vertex_names[std::size_t(
+                             m_volume.vertices[i])])) +
                            " is too large: beyond 2^" + std::to_string(bits) + ", where units "
-                           "can't be counted safely; move or shrink the map");
+                           "can't be counted safely" + remedy("move or shrink the map"));
     return std::nullopt;
   }
 
@@ -318,9 +321,9 @@ private:
   }
 
   // The largest distance of a translation or a level from its integer, and the place.
-  std::pair<double, std::string> largest_rounding(const std::vector<Uvw>& u) const
+  std::pair<double, Message> largest_rounding(const std::vector<Uvw>& u) const
   {
-    std::pair<double, std::string> result(0, "");
+    std::pair<double, Message> result(0, {});
     const auto note = [&](const double x, const std::int64_t integer, const auto& name) {
       const double distance = std::abs(x - static_cast<double>(integer));
       if(distance > result.first)

@@ -162,9 +162,10 @@ private:
       const Uvw u = uvw(Corner_index(i));
       if(!add_to_extent(u))
         return Refusal(Outcome::NOT_FINITE,
-                       "cell " + std::to_string(i / 4) + ": a coordinate at vertex " +
-                         std::to_string(name(Corner_index(i))) + " is NaN, infinite, or beyond "
-                         "1e300; correct it, or scale the map down");
+                       name_of_element("cell", i / 4) + ": a coordinate at " +
+                         name_of_vertex(std::size_t(name(Corner_index(i)))) +
+                         " is NaN, infinite, or beyond 1e300" +
+                         remedy("correct it, or scale the map down"));
       const std::size_t v = std::size_t(vertex(Corner_index(i)));
       if(std::isnan(image[v][0]))
         image[v] = u;

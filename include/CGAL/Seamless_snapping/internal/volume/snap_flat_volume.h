@@ -107,8 +107,8 @@ public:
     m_timer.finish("elimination");
     if(!solver.solve(snapped))
       return Refusal(Outcome::NOT_REPRESENTABLE,
-                     "the coordinates are so large that the number type holds no solution near by; "
-                     "scale the map down");
+                     "the coordinates are so large that the number type holds no solution near by" +
+                     remedy("scale the map down"));
     m_timer.finish("solution");
 
     const Largest_change change = repair(joined.charts, sectors, places, solver, snapped);
@@ -155,8 +155,8 @@ private:
     return {Outcome::NOT_SEAMLESS,
             "at " + m_volume.name_of_facet(transitions.worst) + " the two sides differ by " +
               short_number(transitions.violation) + ", more than the tolerance allows (" +
-              short_number(m_tolerance) + "), from any of the 24 rotations; correct the map there, "
-              "or raise the tolerance", {}};
+              short_number(m_tolerance) + "), from any of the 24 rotations" +
+              remedy("correct the map there, or ") + term(raise_tolerance), {}};
   }
 
   Refusal not_aligned(const Volume_alignment& alignment) const
@@ -164,8 +164,9 @@ private:
     return {Outcome::NOT_ALIGNED,
             alignment.worst + " is " + short_number(alignment.violation) +
               " off a plane or line of constant coordinates, more than the tolerance allows (" +
-              short_number(m_tolerance) + "); correct the map there, raise the tolerance or, for "
-              "facets of the boundary, pass align_boundary(false)", {}};
+              short_number(m_tolerance) + ")" +
+              remedy("correct the map there, or ") + term(raise_tolerance) +
+              term(", or, for facets of the boundary, pass align_boundary(false)"), {}};
   }
 
   Largest_change repair(const Volume_charts& charts, const Volume_sectors& sectors,
@@ -220,11 +221,12 @@ private:
   {
     const std::size_t v = std::size_t(m_volume.vertices[change.corner]);
     return {Outcome::NOT_SEAMLESS,
-            "an exact map would have to move vertex " + std::to_string(m_volume.vertex_names[v]) +
+            "an exact map would have to move " +
+              name_of_vertex(std::size_t(m_volume.vertex_names[v])) +
               " by " + short_number(change.size) + ", which is more than the inaccuracy of " +
               short_number(m_report.violation_before) + " explains: the transitions around it do "
-              "not fit together, or the cells there are thinner than the inaccuracy; correct the "
-              "map there, or raise the tolerance"};
+              "not fit together, or the cells there are thinner than the inaccuracy" +
+              remedy("correct the map there, or ") + term(raise_tolerance)};
   }
 
   // Per coordinate of a corner, whether a constraint on it does not hold; empty if all hold.

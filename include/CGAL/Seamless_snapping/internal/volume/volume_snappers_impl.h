@@ -52,7 +52,8 @@ public:
   std::optional<Refusal> run(std::vector<Uvw>& snapped)
   {
     if(!(m_options.grid_scale > 0 && std::isfinite(m_options.grid_scale)))
-      return Refusal(Outcome::INVALID_ARGUMENT, "grid_scale must be positive and finite");
+      return Refusal(Outcome::INVALID_ARGUMENT, term("grid_scale") +
+                     " must be positive and finite");
     if(const auto refusal = scale())
       return refusal;
     const std::vector<Uvw> input = m_volume.coordinates;
@@ -82,15 +83,16 @@ private:
     const double least = std::ldexp(1., 2 * m_format.digits - m_format.maximum_exponent);
     if(m_volume.extent > 0 && !(m_volume.extent * m_options.grid_scale > least))
       return Refusal(Outcome::NOT_REPRESENTABLE,
-                     "grid_scale makes the coordinates too small for the number type; choose a "
-                     "larger one");
+                     term("grid_scale") + " makes the coordinates too small for the number type" +
+                       remedy("choose a larger one"));
     for(std::size_t i = 0; i < m_volume.coordinates.size(); ++i)
       for(double& x : m_volume.coordinates[i]) {
         x = rounded_to(m_format, x * m_options.grid_scale);
         if(!(std::abs(x) <= largest))
           return Refusal(Outcome::NOT_REPRESENTABLE,
-                         "grid_scale makes a coordinate of cell " + std::to_string(i / 4) +
-                           " too large for the number type; choose a smaller one");
+                         term("grid_scale") + " makes a coordinate of " +
+                           name_of_element("cell", i / 4) + " too large for the number type" +
+                           remedy("choose a smaller one"));
       }
     m_volume.extent *= m_options.grid_scale;
     return std::nullopt;
@@ -147,10 +149,9 @@ private:
     const bool are_most = 2 * lost.size() >= m_volume.number_of_cells();
     if(!are_most && measure_integer_grid(m_volume))
       return std::nullopt;
-    const auto example = [](const std::vector<std::size_t>& cells) {
-      return ", such as cell " + std::to_string(cells.front());
-    };
-    std::string message = are_most ? "at the nearest integers, most cells lose their orientation"
+    const auto example = [](const std::vector<std::size_t>& cells)
+      { return ", such as " + name_of_element("cell", cells.front()); };
+    Message message = are_most ? "at the nearest integers, most cells lose their orientation"
                                    : "at the nearest integers, the coordinates no longer "
                                      "determine the grid";
     if(!lost.empty())
@@ -163,10 +164,9 @@ private:
                  example(flips);
     return Refusal(Outcome::NOT_INTEGER,
                    message + (lost.empty() && !flips.empty()
-                                ? "; repair these first, by Flip_repair::UNTANGLE without "
-                                  "integer_grid, or scale the map up by grid_scale"
-                                : "; scale the map up by grid_scale, as no repair brings these "
-                                  "back"));
+                                ? remedy("repair these first, by Flip_repair::UNTANGLE without "
+                                         "integer_grid") + ", or " + term(scale_up)
+                                : remedy(scale_up) + ", as no repair brings these back"));
   }
 
   // Cells all of whose vertices lie in one plane that a level fixes each, whatever the coordinates
@@ -235,8 +235,8 @@ private:
     if(has_to_be_positive())
       m_report.status = Outcome::FLIPS_REMAIN;
     const auto names = [](const std::vector<std::size_t>& cells) {
-      return std::to_string(cells.size()) + " (the first is cell " + std::to_string(cells.front()) +
-             ")";
+      return std::to_string(cells.size()) + " (the first is " +
+             name_of_element("cell", cells.front()) + ")";
     };
     if(flips > 0)
       m_report.message = "cells that are still flipped or degenerate: " +
@@ -251,7 +251,7 @@ private:
     const std::size_t n = m_report.run.number_of_faces_without_area;
     if(!joined.empty())
       m_report.message += "; of these, cells between alignments that were rounded to the same "
-                          "integer: " + names(joined) + ": scale the map up by grid_scale";
+                          "integer: " + names(joined) + remedy(scale_up);
     if(n > 0)
       m_report.message += "; alignments leave " + counted(n, "cell") + " no volume, whatever "
                           "the coordinates are: align less, or divide them";
@@ -259,10 +259,10 @@ private:
       return;
     if(m_report.run.number_of_untangling_iterations ==
             m_options.number_of_untangling_iterations)
-      m_report.message += "; the search for repairs ended at number_of_untangling_iterations: "
-                          "raise it";
+      m_report.message +=
+        remedy("the search for repairs ended at number_of_untangling_iterations: raise it");
     else if(m_options.flip_repair != Flip_repair::UNTANGLE)
-      m_report.message += "; Flip_repair::UNTANGLE changes more of the map";
+      m_report.message += remedy("Flip_repair::UNTANGLE changes more of the map");
   }
 
   Flat_volume m_volume; // becomes the result
