@@ -121,7 +121,8 @@ Summary::Summary(const Model& model, const Alignment& alignment)
 std::string in_words_of_user(const CGAL::Seamless_snapping::Snapping_report& report,
                              const Model& model)
 {
-  return in_words_of_user(to_string(report.status) + (": " + report.message), model);
+  return to_string(report.status) +
+         (report.message.empty() ? "" : ": " + in_words_of_user(report.message, model));
 }
 
 void check_snapped(const CGAL::Seamless_snapping::Snapping_report& report, const Model& model,

@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -85,8 +84,8 @@ public:
   Message without_remedies() const
   {
     Message result;
-    std::copy_if(m_parts.begin(), m_parts.end(), std::back_inserter(result.m_parts),
-                 [](const Part& part) { return part.kind != REMEDY; });
+    result.m_parts.assign(m_parts.begin(), std::find_if(m_parts.begin(), m_parts.end(),
+                          [](const Part& part) { return part.kind == REMEDY; }));
     return result;
   }
 
