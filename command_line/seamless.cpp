@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "Options.h"
 #include "commands.h"
+#include "words.h"
 
 #include <algorithm>
 #include <array>

@@ -2175,8 +2175,9 @@ void test_refinement()
     two_triangles.add_vertex(p);
   two_triangles.add_face(Vertex(0), Vertex(1), Vertex(2));
   two_triangles.add_face(Vertex(1), Vertex(3), Vertex(2));
-  const internal::Surface_to_remesh half = internal::surface_to_remesh(
-    two_triangles, internal::strip(parameters::default_values()), internal::Mirror(1, 0, 0, 0));
+  const internal::Surface_to_remesh half(
+    internal::read_surface(two_triangles, internal::strip(parameters::default_values())),
+    internal::Mirror(1, 0, 0, 0));
   CHECK_EQUAL(half.mesh().number_of_faces(), 9u);
   for(const auto f : half.mesh().faces())
     CHECK_EQUAL(half.original(f), 1u);
