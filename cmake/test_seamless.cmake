@@ -48,7 +48,8 @@ function(try_remedies status text command)
       continue()
     endif()
     file(REMOVE_RECURSE "${WORK_DIR}_remedies")
-    file(COPY "${WORK_DIR}/" DESTINATION "${WORK_DIR}_remedies" NO_SOURCE_PERMISSIONS)
+    file(COPY "${WORK_DIR}/" DESTINATION "${WORK_DIR}_remedies" NO_SOURCE_PERMISSIONS
+      PATTERN pipe EXCLUDE) # whose copy would wait for a writer
     set(arguments ${ARGN})
     if(remedy STREQUAL "snap")
       list(GET ARGN 0 input)

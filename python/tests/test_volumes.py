@@ -139,10 +139,29 @@ def test_hexahedra_of_integers():
     assert volume > 0 and report["nonpositive_hexahedra"] == []
     assert sorted(set(report["patches"])) == [1, 2, 3, 4, 5, 6]
     assert report["edges"].shape == (36, 2) and report["irregular_edges"] == {}
+    assert sorted(set(report["curves"])) == list(range(1, 13)) and len(report["curves"]) == 36
+    assert (report["feature_facets"] == -1).all() and (report["feature_edges"] == -1).all()
     shapes = seamless.measure_hexahedra(V2, H)
     assert all(report[key] == value for key, value in shapes.items())
     turned = seamless.measure_hexahedra(V2, H[:, [4, 5, 6, 7, 0, 1, 2, 3]])
     assert turned["nonpositive_hexahedra"] == list(range(27))
+
+
+def test_features_of_hexahedra():
+    """Two triangles of a square within, and an edge: their rows are told."""
+    V, cells, uvw = seamless.examples.volume(2)
+    corner = lambda x, y, z: (x * 3 + y) * 3 + z
+    facets = [[corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1)],
+              [corner(0, 0, 1), corner(0, 1, 1), corner(1, 1, 1)]]
+    edge = [corner(1, 1, 1), corner(1, 1, 2)]
+    V2, H, report = seamless.hexahedra(V, cells, uvw, feature_facets=facets, feature_edges=[edge],
+                                       report=True)
+    inside = report["quadrilaterals"][report["feature_facets"] >= 0]
+    assert len(report["quadrilaterals"]) == 24 + 1
+    expected = V[[corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1)]]
+    assert np.abs(V2[inside[0]][:, None] - expected).max(axis=2).min(axis=1).max() < 1e-8
+    (ends,) = report["edges"][report["feature_edges"] == 0]
+    assert np.abs(V2[ends][:, None] - V[edge]).max(axis=2).min(axis=1).max() < 1e-8
 
 
 def test_number_of_hexahedra():
@@ -179,7 +198,13 @@ def test_program_hexes(program, tmp_path, number):
         dtype=float).reshape(-1, columns)
     V2, H = seamless.hexahedra(V, cells, uvw, number)
     assert (table("POINTS", 3, 3) == V2).all()
-    in_file = table("CELLS", 3, 9)
+    numbers = [int(word) for word in words[words.index("CELLS") + 3:words.index("CELL_TYPES")]]
+    in_file = []  # after lines and quadrilaterals
+    while numbers:
+        if numbers[0] == 8:
+            in_file.append(numbers[:9])
+        del numbers[:1 + numbers[0]]
+    in_file = np.array(in_file)
     assert (in_file[:, 0] == 8).all() and (in_file[:, 1:] == H).all()
 
 

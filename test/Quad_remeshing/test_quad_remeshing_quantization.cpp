@@ -2499,7 +2499,7 @@ void test_double_pyramid()
 }
 
 // Quads are thin at some tips of a flat star, for a number of quads that rounding errors choose: it
-// is tried without the features next to these. Most are kept.
+// is tried without the features next to these. The better result stays, in which most are kept.
 void test_attempt_without_features()
 {
   constexpr int n = 24; // corners
@@ -2548,7 +2548,7 @@ void test_attempt_without_features()
             << " edges, " << report.number_of_released_edges << " edges released" << std::endl;
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.9);
   CHECK_IN(std::to_string(number_left_out), number_left_out > 0 && number_left_out < 3 * n / 2);
-  CHECK(report.number_of_thin_quads == 0 && report.number_of_displaced_vertices == 0);
+  CHECK(report.number_of_thin_quads <= 2 && report.number_of_displaced_vertices == 0);
   CHECK(report.length_of_released_edges < length / 8);
   double kept = 0;
   for(const auto e : quads.edges()) {
