@@ -44,7 +44,7 @@ function(try_remedies status text command)
         message(SEND_ERROR "seamless ${command} ${ARGN}: no option ${option}:\n${text}")
       endif()
     endforeach()
-    if(NOT status EQUAL 1 OR NOT clause MATCHES "^ ")
+    if(NOT status EQUAL 1 OR NOT clause MATCHES "^ " OR clause MATCHES "^ for ") # some faults only
       continue()
     endif()
     file(REMOVE_RECURSE "${WORK_DIR}_remedies")
@@ -748,7 +748,7 @@ foreach(i RANGE 3)
                       "f -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -2 -4 -1\n")
 endforeach()
 file(WRITE "${WORK_DIR}/parts.obj" "${parts}")
-seamless(0 remesh parts.obj quads.obj --number 10)
+seamless(0 remesh parts.obj quads.obj --number 6)
 expect_message("${out}" "4 closed parts take at least 6 quads each")
 
 # a torus near the origin of v, of which integers of 64 bits can't hold the bits: the map is moved
