@@ -19,7 +19,6 @@
 // curves of such lines.
 
 #include <CGAL/Hexahedral_meshing/internal/packages_below.h>
-#include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 #include <CGAL/Seamless_snapping/internal/volume/Signed_union_find.h>
 
@@ -109,38 +108,18 @@ private:
     while(true) {
       const Corner_index former = ring.facet();
       ring.turn();
-      angle += dihedral_angle(former, ring.facet());
+      angle += dihedral_angle(m_volume, former, ring.facet());
       if(m_facet[std::size_t(ring.facet())] >= 0)
         break;
       ring.cross();
     }
-    std::array<Corner_index, 2> e{{-1, -1}};
-    for(const Corner_index corner : corners_of_facet(facet))
-      if(corner != third)
-        e[e[0] < 0 ? 0 : 1] = corner;
+    const std::array<Corner_index, 2> e = edge_of_facet(facet, third);
     const std::int32_t one = m_facet[std::size_t(facet)],
                        other = m_facet[std::size_t(ring.facet())];
     if(one == other || std::lround(angle / right_angle) != 2)
       m_lines.emplace(ends(e[0], e[1]), Flat_volume::Aligned_edge{e[0], e[1]});
     else if(one < other)
       m_flat_pairs.push_back({ends(e[0], e[1]), {{one, other}}});
-  }
-
-  // In a cell, between the facets opposite to two corners.
-  double dihedral_angle(const Corner_index i, const Corner_index j) const
-  {
-    std::array<Uvw, 2> ends;
-    std::size_t size = 0;
-    for(Corner_index corner = i / 4 * 4; corner < i / 4 * 4 + 4; ++corner)
-      if(corner != i && corner != j)
-        ends[size++] = m_volume.uvw(corner);
-    const auto normal = [&](const Corner_index corner) {
-      return scaled_to_unit_size(
-        vector_product(scaled_to_unit_size(vector_to(ends[0], ends[1])),
-                       scaled_to_unit_size(vector_to(ends[0], m_volume.uvw(corner)))));
-    };
-    const Uvw m = normal(i), n = normal(j), x = vector_product(m, n);
-    return std::atan2(std::sqrt(inner_product(x, x)), inner_product(m, n));
   }
 
   // The number of each element's class, in the order of their first elements.

@@ -43,29 +43,34 @@ namespace CGAL {
 namespace Hexahedral_meshing {
 namespace internal {
 
-struct Triangle_trees
+#if CGAL_VERSION_NR < 1060000000
+template <typename Kernel, typename Primitive>
+using Nearest_traits = CGAL::AABB_traits<Kernel, Primitive>;
+template <typename Kernel, typename Iterator>
+using Triangle_primitive = CGAL::AABB_triangle_primitive<Kernel, Iterator>;
+template <typename Kernel, typename Iterator>
+using Segment_primitive = CGAL::AABB_segment_primitive<Kernel, Iterator>;
+#else
+template <typename Kernel, typename Primitive>
+using Nearest_traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+template <typename Kernel, typename Iterator>
+using Triangle_primitive = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
+template <typename Kernel, typename Iterator>
+using Segment_primitive = CGAL::AABB_segment_primitive_3<Kernel, Iterator>;
+#endif
+
+template <typename Any_element, template <typename, typename> class Primitive>
+struct Trees_of
 {
   using Kernel = CGAL::Simple_cartesian<double>;
-  using Element = Kernel::Triangle_3;
-  using Iterator = std::vector<Element>::const_iterator;
-#if CGAL_VERSION_NR < 1060000000
-  using Traits = CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Iterator> >;
-#else
-  using Traits = CGAL::AABB_traits_3<Kernel, CGAL::AABB_triangle_primitive_3<Kernel, Iterator> >;
-#endif
+  using Element = Any_element;
+  using Traits = Nearest_traits<
+    Kernel, Primitive<Kernel, typename std::vector<Element>::const_iterator> >;
 };
 
-struct Segment_trees
-{
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Element = Kernel::Segment_3;
-  using Iterator = std::vector<Element>::const_iterator;
-#if CGAL_VERSION_NR < 1060000000
-  using Traits = CGAL::AABB_traits<Kernel, CGAL::AABB_segment_primitive<Kernel, Iterator> >;
-#else
-  using Traits = CGAL::AABB_traits_3<Kernel, CGAL::AABB_segment_primitive_3<Kernel, Iterator> >;
-#endif
-};
+using Triangle_trees =
+  Trees_of<CGAL::Simple_cartesian<double>::Triangle_3, Triangle_primitive>;
+using Segment_trees = Trees_of<CGAL::Simple_cartesian<double>::Segment_3, Segment_primitive>;
 
 // Sets of elements; the tree of each is built when it is first asked.
 template <typename Trees>

@@ -23,6 +23,7 @@
 #include <CGAL/Seamless_snapping/internal/transitions/Facet_vectors.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -44,6 +45,16 @@ inline std::array<Corner_index, 3> corners_of_facet(const Corner_index facet)
 {
   const Corner_index i = facet % 4, first = facet - i;
   return {first + (i + 1) % 4, first + (i + 2) % 4, first + (i + 3) % 4};
+}
+
+// The ends of the edge that a facet has opposite to its corner `third`.
+inline std::array<Corner_index, 2> edge_of_facet(const Corner_index facet, const Corner_index third)
+{
+  std::array<Corner_index, 2> result{{-1, -1}};
+  for(const Corner_index corner : corners_of_facet(facet))
+    if(corner != third)
+      result[result[0] < 0 ? 0 : 1] = corner;
+  return result;
 }
 
 // Cells that the caller lists in the other orientation than most cells around, and all cells of
@@ -158,6 +169,20 @@ struct Flat_volume
                             vertex_names[std::size_t(vertex(edge.b))]});
   }
 };
+
+// In a cell, between the facets opposite to two corners.
+inline double dihedral_angle(const Flat_volume& volume, const Corner_index i, const Corner_index j)
+{
+  const std::array<Corner_index, 2> edge = edge_of_facet(i, j);
+  const Uvw &a = volume.uvw(edge[0]), &b = volume.uvw(edge[1]);
+  const auto normal = [&](const Corner_index corner) {
+    return scaled_to_unit_size(vector_product(scaled_to_unit_size(vector_to(a, b)),
+                                              scaled_to_unit_size(
+                                                vector_to(a, volume.uvw(corner)))));
+  };
+  const Uvw m = normal(i), n = normal(j), x = vector_product(m, n);
+  return std::atan2(std::sqrt(inner_product(x, x)), inner_product(m, n));
+}
 
 // Walks around an edge, from facet to facet. Invariant: `facet()` contains the edge, as the cell
 // sees it that was entered.

@@ -121,7 +121,7 @@ private:
         orientation(uvw_of_cell(m_volume.coordinates, std::size_t(former / 4)));
       is_folded = is_folded || now == CGAL::ZERO || (sign != CGAL::ZERO && now != sign);
       sign = now;
-      angle += angle_between(former, ring.facet());
+      angle += dihedral_angle(m_volume, former, ring.facet());
       if(!ring.can_cross())
         break;
       g = Group::compose(m_element[std::size_t(ring.facet())], g);
@@ -141,31 +141,9 @@ private:
   void add(const Corner_index facet, const Corner_index third, const bool is_interior, const int g,
            const int quarter_turns)
   {
-    std::array<Corner_index, 2> ends{{-1, -1}};
-    for(const Corner_index corner : corners_of_facet(facet))
-      if(corner != third)
-        ends[ends[0] < 0 ? 0 : 1] = corner;
+    const std::array<Corner_index, 2> ends = edge_of_facet(facet, third);
     m_result.push_back({{ends[0], ends[1], axis_of(g)}, is_interior,
                         g != Group::identity() && axis_of(g) == no_axis, quarter_turns});
-  }
-
-  // In a cell, between the facets opposite to two corners.
-  double angle_between(const Corner_index i, const Corner_index j) const
-  {
-    std::array<const Uvw*, 2> ends{{nullptr, nullptr}};
-    for(const Corner_index corner : corners_of_facet(i))
-      if(corner != j)
-        ends[ends[0] == nullptr ? 0 : 1] = &m_volume.uvw(corner);
-    const Uvw &a = *ends[0], &b = *ends[1], &p = m_volume.uvw(i), &q = m_volume.uvw(j);
-    const Uvw m = normal(a, b, p), n = normal(a, b, q);
-    const Uvw x = vector_product(m, n);
-    return std::atan2(std::sqrt(inner_product(x, x)), inner_product(m, n));
-  }
-
-  static Uvw normal(const Uvw& a, const Uvw& b, const Uvw& p)
-  {
-    return scaled_to_unit_size(vector_product(scaled_to_unit_size(vector_to(a, b)),
-                                              scaled_to_unit_size(vector_to(a, p))));
   }
 
   const Flat_volume& m_volume;
