@@ -17,18 +17,34 @@
 
 // Whether there are many more quads than wanted, and nothing in the input is a reason for them.
 
-#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
+
+// The number of closed sequences of border edges. CGAL's own function has another name and place
+// from CGAL 6.2 on.
+template <typename Mesh>
+std::size_t number_of_border_cycles(const Mesh& mesh)
+{
+  std::vector<bool> is_counted(mesh.num_halfedges());
+  std::size_t result = 0;
+  for(const auto h : mesh.halfedges()) {
+    if(!mesh.is_border(h) || is_counted[std::size_t(h)])
+      continue;
+    ++result;
+    for(const auto next : CGAL::halfedges_around_face(h, mesh))
+      is_counted[std::size_t(next)] = true;
+  }
+  return result;
+}
 
 // About as many quads as a surface of this topology takes at least.
 template <typename Mesh>
@@ -38,12 +54,11 @@ double number_for_topology(const Mesh& mesh)
   std::vector<std::size_t> part(mesh.num_faces());
   const double parts = double(CGAL::Polygon_mesh_processing::connected_components(
     mesh, CGAL::make_property_map(part)));
-  std::vector<typename Mesh::Halfedge_index> loops;
-  CGAL::Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(loops));
   const double euler_characteristic = double(mesh.number_of_vertices()) +
                                       double(mesh.number_of_faces()) -
                                       double(mesh.number_of_edges());
-  const double handles = (2 * parts - double(loops.size()) - euler_characteristic) / 2;
+  const double loops = double(number_of_border_cycles(mesh));
+  const double handles = (2 * parts - loops - euler_characteristic) / 2;
   return of_part * parts + of_handle * handles;
 }
 
