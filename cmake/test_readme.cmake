@@ -1,9 +1,9 @@
 # What README.md shows is so: its programs compile as they stand and print what it says, its
 # commands run, its CMake code is that of a project that is tested, with the last program
-# (test_consumer.cmake). The C++ code in the pages of the manuals compiles: programs as they stand,
-# pieces of programs in snippets.cpp.in. Run by ctest, with the variables
-# PACKAGE_SOURCE_DIR, WORK_DIR, COMPILER, INCLUDE_PATH (of CGAL, where the compiler does not find
-# it) and, if it is built, PROGRAM_DIR (the folder of the program seamless).
+# (test_consumer.cmake). The C++ code in the pages of the manuals compiles, in snippets.cpp.in:
+# programs in a namespace each, pieces of programs in a function each. Run by ctest, with the
+# variables PACKAGE_SOURCE_DIR, WORK_DIR, COMPILER, INCLUDE_PATH (of CGAL, where the compiler does
+# not find it) and, if it is built, PROGRAM_DIR (the folder of the program seamless).
 
 cmake_minimum_required(VERSION 3.16...3.29)
 
@@ -99,6 +99,7 @@ endif()
 
 file(GLOB pages "${PACKAGE_SOURCE_DIR}/doc/*/*.txt")
 set(pieces "")
+set(includes "")
 set(number_of_pieces 0)
 foreach(page IN LISTS pages)
   file(READ "${page}" text)
@@ -107,15 +108,17 @@ foreach(page IN LISTS pages)
   get_filename_component(name "${page}" NAME_WE)
   next_block()
   while(NOT language STREQUAL "")
-    if(language STREQUAL "cpp" AND content MATCHES "int main\\(")
-      file(WRITE "${WORK_DIR}/app_${name}.cpp" "${content}")
-      string(REPLACE "app" "app_${name}" command "${compile_command}")
-      string(REPLACE "-O0" "-fsyntax-only" command "${command}")
-      run("${CMAKE_COMMAND}" -E env "CPLUS_INCLUDE_PATH=${INCLUDE_PATH}" sh -c "${command}")
-    elseif(language STREQUAL "cpp" AND NOT content MATCHES "^template") # but for signatures
+    if(language STREQUAL "cpp" AND NOT content MATCHES "^template") # but for signatures
       math(EXPR number_of_pieces "${number_of_pieces} + 1")
-      string(APPEND pieces
-        "int piece_${number_of_pieces}() // of ${name}\n{\n${content}\nreturn 0;\n}\n")
+      string(REGEX MATCHALL "#include <[^>]*>\n" own_includes "${content}")
+      string(APPEND includes ${own_includes})
+      string(REGEX REPLACE "#include <[^>]*>\n" "" content "${content}")
+      if(content MATCHES "int main\\(")
+        string(APPEND pieces "namespace program_${number_of_pieces} { // of ${name}\n${content}}\n")
+      else()
+        string(APPEND pieces
+          "int piece_${number_of_pieces}() // of ${name}\n{\n${content}\nreturn 0;\n}\n")
+      endif()
     endif()
     next_block()
   endwhile()

@@ -457,7 +457,7 @@ choice among several vertices with the same coordinates in a part without nodes.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh; the graph refers to it
-\param uv_map the coordinates of each corner; halfedge `h` is the key of the corner of `face(h)` at
+\param uv_map the coordinates of each corner: halfedge `h` stands for the corner of `face(h)` at
        `target(h)`. Border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below, and the parameters of `seam_transitions()`; `rotational_symmetry` must be of order 4,

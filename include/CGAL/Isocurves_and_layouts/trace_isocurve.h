@@ -85,7 +85,7 @@ If the map is not exactly seamless, nothing is traced, and the status is
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner; halfedge `h` is the key of the corner of `face(h)` at
+\param uv_map the coordinates of each corner: halfedge `h` stands for the corner of `face(h)` at
        `target(h)`. Border halfedges are not read.
 \param start the start of the curve; `Isocurve_tracer::outgoing()` lists the curves that leave a
        vertex

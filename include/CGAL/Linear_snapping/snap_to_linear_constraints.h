@@ -179,14 +179,13 @@ pivots first, and a least-squares target.
     \cgalParamExtra{Weights do not affect exactness.}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether the lines for a `visitor` are written to `std::cerr`}
+    \cgalParamDescription{whether the function writes its progress to `std::cerr`}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`false`; not read with a `visitor`}
+    \cgalParamDefault{`false`; ignored if `visitor` is passed}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{receives the progress as lines of text, in the calling thread. An
-                          exception that it throws ends the function and passes on to the caller;
-                          `x` is untouched then.}
+    \cgalParamDescription{receives the progress as lines of text, in the calling thread. If it
+                          throws, the exception propagates, and `x` is as before.}
     \cgalParamType{a model of `ProgressVisitor`, or `std::ref()` of one}
     \cgalParamDefault{with `verbose`, a visitor that writes to `std::cerr`; else none}
   \cgalParamNEnd

@@ -299,7 +299,7 @@ border loops and components, and the genus.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh a triangle mesh
-\param uv_map receives the coordinates of each corner; halfedge `h` is the key of the corner of
+\param uv_map receives the coordinates of each corner; halfedge `h` stands for the corner of
        `face(h)` at `target(h)`. Border halfedges are not touched.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below
@@ -457,14 +457,13 @@ border loops and components, and the genus.
     \cgalParamExtra{Untangling uses that of \ref thirdpartyEigen "Eigen" in any case.}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether the lines for a `visitor` are written to `std::cerr`}
+    \cgalParamDescription{whether the function writes its progress to `std::cerr`}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`false`; not read with a `visitor`}
+    \cgalParamDefault{`false`; ignored if `visitor` is passed}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{receives the progress as lines of text, in the calling thread. An
-                          exception that it throws ends the function and passes on to the caller;
-                          no map has been touched then.}
+    \cgalParamDescription{receives the progress as lines of text, in the calling thread. If it
+                          throws, the exception propagates, and no map has changed.}
     \cgalParamType{a model of `ProgressVisitor`, or `std::ref()` of one}
     \cgalParamDefault{with `verbose`, a visitor that writes to `std::cerr`; else none}
   \cgalParamNEnd

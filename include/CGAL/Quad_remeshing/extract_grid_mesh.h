@@ -65,12 +65,11 @@ nothing is written. The result is the same, to the bit, for any number of thread
 \tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner; halfedge `h` is the key of the corner of `face(h)` at
+\param uv_map the coordinates of each corner: halfedge `h` stands for the corner of `face(h)` at
        `target(h)`. Border halfedges are not read.
 \param quads the mesh that the quads are added to
 \param np1 an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below, and the parameters of `seam_transitions()`; `rotational_symmetry` must be of order 4,
-       2, or 1
+       below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
@@ -194,7 +193,7 @@ Extraction_report extract_quad_mesh(const TriangleMesh& tmesh, HalfedgeUVMap uv_
 \ingroup PkgQuadRemeshingQuads
 
 extracts the same quads as `extract_quad_mesh()`, as points and lists of indices. Loops and double
-edges are allowed here. Template parameters that are not listed are as there.
+edges are allowed here. The other template parameters are the same.
 
 \tparam PointRange a model of `BackInsertionSequence` of three-dimensional points
 \tparam PolygonRange a model of `BackInsertionSequence` whose value type is constructed from a pair
@@ -265,7 +264,7 @@ in sixths of a turn, and 6 elsewhere inside.
 - Loops and double edges come from cones of 60 and 120 degrees, too; `extract_triangle_soup()` gives
   them.
 
-Template parameters that are not listed are as there.
+The other template parameters are the same.
 
 \tparam OutputMesh a model of `MutableFaceGraph`
 
@@ -318,7 +317,7 @@ Extraction_report extract_triangle_mesh(const TriangleMesh& tmesh, HalfedgeUVMap
 \ingroup PkgQuadRemeshingQuads
 
 extracts the same triangles as `extract_triangle_mesh()`, as points and lists of indices. Loops and
-double edges are allowed here. Template parameters that are not listed are as there.
+double edges are allowed here. The other template parameters are the same.
 
 \tparam PointRange a model of `BackInsertionSequence` of three-dimensional points
 \tparam PolygonRange a model of `BackInsertionSequence` whose value type is constructed from a pair

@@ -180,7 +180,7 @@ with order 6, isocurves of \f$ u + v \f$ count as well.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner; halfedge `h` is the key of the corner of `face(h)` at
+\param uv_map the coordinates of each corner: halfedge `h` stands for the corner of `face(h)` at
        `target(h)`. Border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below, and the parameters of `seam_transitions()`

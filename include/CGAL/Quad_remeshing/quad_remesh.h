@@ -184,27 +184,25 @@ quantizes it, extracts its quads, and moves their vertices along the surface. Fe
 borders become chains of edges of quads.
 
 \par Guarantee
-If the function succeeds, the result is a valid face graph of quads that is homeomorphic to the
-input without small closed parts. The report counts inverted quads, released feature edges, and
-displaced vertices. If features or cones are close together, no valid mesh with so few quads may
-exist. The function then returns the smallest larger mesh that it finds, and the message says so. If
-faces stay flipped in each parametrization, the function fails, and leaves `quads` unchanged.
-
-\par Score
-The result with fewer inverted quads is better. If these are equally many, the score is the mean
-scaled Jacobian, less penalties for released features and for edges whose length is not the wanted
-one. Among meshes of few quads, the distance from the surface and the number of quads count, too.
+If the function succeeds, the result is a valid face graph of quads. It is homeomorphic to the
+input, except that small closed components are left out (`area_threshold`), and that
+`symmetry_plane` replaces one half. The report counts inverted quads, released feature edges, and
+displaced vertices. If features or cones are close together, there may be no valid mesh with so few
+quads. The function then returns the smallest larger mesh that it finds, and the message says so. If
+faces stay flipped in each parametrization, the function fails, and `quads` is as before.
 
 \par Search
-If the first result has flaws, the function tries further settings and returns the best result:
-parametrizations with other cones, other numbers of quads, triangles that are subdivided, the border
-as it is, and fewer features near bad quads. Vertices leave features, and then the surface, only if
-quads stay inverted otherwise. The user manual lists these attempts: \ref QRemeshingSearch.
+If the first result has flaws, the function tries further settings, which \ref QRemeshingSearch
+lists, and returns the best result. The result with fewer inverted quads is better. If these are
+equally many, the function compares the mean scaled Jacobian, less penalties for released features
+and for edges whose length is not the wanted one. Among meshes of few quads, the distance from the
+surface and the number of quads count, too. Vertices leave features, and then the surface, only if
+quads stay inverted otherwise.
 
 \par Bound
 All searches together have one bound on their work, which grows with the sizes of input and result.
-The work is counted, not timed, so the result does not depend on the machine. If the work is spent,
-the function returns the best result so far, and the message says so.
+The work is counted, not timed, so the result does not depend on the speed of the machine. If the
+work is spent, the function returns the best result so far, and the message says so.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -273,18 +271,19 @@ the function returns the best result so far, and the message says so.
                       or with `minimize_number_of_quads`}
   \cgalParamNEnd
   \cgalParamNBegin{area_threshold}
-    \cgalParamDescription{closed connected parts of less area are left out, but for the largest
-                          part: specks, as marching cubes and scans leave them, are no place for
-                          quads. The report tells how many there are. By default, parts that are
-                          not a hundred times smaller than the largest one stay, too.}
+    \cgalParamDescription{closed connected components of less area are left out, except the
+                          largest one. Marching cubes and scans leave such specks. The report
+                          counts them. By default, components larger than a hundredth of the
+                          largest component are kept, too.}
     \cgalParamType{`double`, not negative, or a `std::optional` of it}
     \cgalParamDefault{the area of a quad of the mean size that is wanted; `0`, which leaves out
                       none, if quads are to be few}
   \cgalParamNEnd
   \cgalParamNBegin{curvature_adaptivity}
     \cgalParamDescription{by how much sizes may vary with curvature, as the ratio of the largest to
-                          the smallest size. Quads are smaller on more curved parts, by the root
-                          of the curvature. `vertex_sizing_map` is multiplied by it.}
+                          the smallest size. Sizes are proportional to the inverse square root
+                          of the curvature, within this ratio. They are multiplied by
+                          `vertex_sizing_map`.}
     \cgalParamType{`double`, at least 1}
     \cgalParamDefault{`1`}
   \cgalParamNEnd
@@ -304,7 +303,7 @@ the function returns the best result so far, and the message says so.
                           of quads there. With `target_number_of_quads`, only the ratios of the
                           sizes count; with `target_edge_length`, they are multiples of that
                           length. The field is the smoothest one of the metric that is scaled by
-                          the sizes, so varying sizes cost cones. If `face_direction_map` gives
+                          the sizes, so varying sizes add cones. If `face_direction_map` gives
                           the field, sizes are met as far as the field allows.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
@@ -335,14 +334,13 @@ the function returns the best result so far, and the message says so.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether the lines for a `visitor` are written to `std::cerr`}
+    \cgalParamDescription{whether the function writes its progress to `std::cerr`}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`false`; not read with a `visitor`}
+    \cgalParamDefault{`false`; ignored if `visitor` is passed}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{receives the progress as lines of text, in the calling thread. An
-                          exception that it throws ends the function and passes on to the caller;
-                          `quads` is untouched then.}
+    \cgalParamDescription{receives the progress as lines of text, in the calling thread. If it
+                          throws, the exception propagates, and `quads` is as before.}
     \cgalParamType{a model of `ProgressVisitor`, or `std::ref()` of one}
     \cgalParamDefault{with `verbose`, a visitor that writes to `std::cerr`; else none}
   \cgalParamNEnd
@@ -400,7 +398,8 @@ the function returns the best result so far, and the message says so.
         - `NOT_POSITIVE`: faces stay flipped in the parametrization;
         - `TOO_LARGE`: there would be more quads than `maximum_number`, or features link too many
           coordinates, see `approximate_seamless_parametrization()`;
-        - `NO_FACE_GRAPH`: no number of quads was found that makes a mesh with its mirror image;
+        - `NO_FACE_GRAPH`: with `symmetry_plane`, no number of quads was found for which the quads
+          and their mirror image form a face graph;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `INTERNAL_ERROR`: a result failed its verification.
         .

@@ -233,20 +233,21 @@ std::size_t close_folds(QuadMesh& quads, const Holes& holes_before)
 quantizes an exactly seamless map: finds an all-quad mesh of the surface whose edges follow the map,
 at any scale. It needs neither a solver for integer programs nor a tolerance.
 
-The function removes all vertices from the triangulation that are neither cones nor corners nor ends
-of features, exactly. The remaining coarse triangulation has vectors between cones as edges. These
-become vectors of integers such that all triangles close, match across edges, and stay positive.
-`extract_quad_mesh()` of the result makes the quads.
+The function removes all vertices from the triangulation except cones, corners of the border, and
+ends of features. The edges of the coarse triangulation that remains are vectors between cones. The
+function rounds them to integers such that all triangles close, match across edges, and stay
+positive. `extract_quad_mesh()` of the result makes the quads.
 
 \par Guarantee
-The function succeeds for each exactly seamless map of positive faces, unless numbers exceed 64
-bits. If coordinates near the origin are too fine for 64 bits, it moves a copy of the map, which
-rounds it, and snaps the copy; it refuses the map only if faces are too thin for that.
+The function finds integers for each exactly seamless map of positive faces, except if numbers
+exceed 64 bits, if the number of quads exceeds `maximum_number`, or if a border edge is nearly, but
+not exactly, on an isocurve. If coordinates near the origin are too fine for 64 bits, it moves a
+copy of the map, which rounds it, and snaps the copy; it refuses the map only if faces are too thin
+for that.
 
 \par Border
 A border edge that lies on no isocurve is followed by two sides of quads, whose common vertex lies
-on the edge. The report counts such edges. If a border edge is nearly, but not exactly, on an
-isocurve, the map is refused.
+on the edge. The report counts such edges.
 
 \par Number of quads
 If no integers exist at the wanted scale, the search starts at a finer scale and comes back as far
@@ -260,11 +261,10 @@ work.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner; halfedge `h` is the key of the corner of `face(h)` at
+\param uv_map the coordinates of each corner: halfedge `h` stands for the corner of `face(h)` at
        `target(h)`. Border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below, and the parameters of `seam_transitions()`; `rotational_symmetry` must be of order 4,
-       2, or 1
+       below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{target_number_of_quads}
@@ -294,8 +294,9 @@ work.
   \cgalParamNEnd
   \cgalParamNBegin{needs_face_graph}
     \cgalParamDescription{whether the quads have to form a face graph. Coarse quads can meet
-                          themselves, or each other twice, which no face graph can hold. Then the
-                          function searches for the smallest larger number of quads that form one.}
+                          themselves, or each other twice, which no face graph can hold. If
+                          `true`, the function increases the number of quads until they form
+                          one.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -329,9 +330,9 @@ work.
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether the lines for a `visitor` are written to `std::cerr`}
+    \cgalParamDescription{whether the function writes its progress to `std::cerr`}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`false`; not read with a `visitor`}
+    \cgalParamDefault{`false`; ignored if `visitor` is passed}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is called with the progress of the search, as by `quad_remesh()`, and may
@@ -427,8 +428,13 @@ the input.
 
 If the quads form no face graph, nothing is written. After a quantization with `needs_face_graph`,
 they form one: the quad around a vertex of one edge is left out, and its two other sides become one
-edge. This removes elements of `quads`, so a `CGAL::Surface_mesh` has garbage for its
-`%collect_garbage()`. Template parameters are the same as for the extraction from a map.
+edge. If `quads` is a `CGAL::Surface_mesh`, call its `%collect_garbage()` before you use its
+indices.
+
+\tparam TriangleMesh as for the extraction from a map
+\tparam QuadMesh as for the extraction from a map
+\tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParameters2 a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param quantization a successful result of `quantize()`
 \param tmesh the mesh that has been quantized, not changed since

@@ -159,14 +159,13 @@ failure nothing changes.
     \cgalParamDefault{400}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether the lines for a `visitor` are written to `std::cerr`}
+    \cgalParamDescription{whether the function writes its progress to `std::cerr`}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`false`; not read with a `visitor`}
+    \cgalParamDefault{`false`; ignored if `visitor` is passed}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{receives the progress as lines of text, in the calling thread. An
-                          exception that it throws ends the function and passes on to the caller;
-                          the map is untouched then.}
+    \cgalParamDescription{receives the progress as lines of text, in the calling thread. If it
+                          throws, the exception propagates, and the map is as before.}
     \cgalParamType{a model of `ProgressVisitor`, or `std::ref()` of one}
     \cgalParamDefault{with `verbose`, a visitor that writes to `std::cerr`; else none}
   \cgalParamNEnd
