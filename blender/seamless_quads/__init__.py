@@ -196,17 +196,29 @@ def program_path(context):
     return None
 
 
-# What the program says, and what stands for it in the panel.
+# What the program says, and what stands for it in the panel. Remedies that the panel lacks come first:
+# others take their place, or none.
 WORDS = (
-    (r"--feature-angle(?: [\d.]+)?", "Sharp Angle"),
-    (r"--feature-length(?: of)?(?: [\d.e+-]+)?", "the shortest line of sharp edges"),
+    (r", by --edge-length (\S+); --maximum-number allows more", r"; choose an Edge Length of \1 or more"),
+    (r"; --maximum-number allows more", "; choose a smaller number of Quads"),
+    (r": --feature-length \S+ leaves them out, and a larger --feature-angle keeps fewer",
+     "; choose a larger Angle, or mark fewer edges"),
+    (r"; --(?:feature-angle|border-tolerance) 0 keeps (?:none|all)", ""),
+    (r"^left out: (.*), of area \S+(?: in sum)?; --area-threshold 0 keeps all",
+     r"Left out: \1, smaller than a quad; choose more Quads to keep them"),
+    (r"closed piece", "closed part"),
+    (r"; a larger --number leaves more room for good ones", "; choose more Quads"),
+    (r"; more of them(?:, or features, as by --feature-angle,)? keep it",
+     "; choose more Quads, or a smaller Angle"),
+    (r"--feature-angle(?: [\d.]+)?", "Angle"),
+    (r"by a --feature-length of \S+", "because they are short"),
+    (r"; 0 keeps them", ""),
     (r"--features", "Seams, Marked Sharp, and Material Borders"),
     (r"--number", "Quads"),
     (r"--edge-length", "Edge Length"),
     (r"--symmetry(?: \S+)?", "Symmetry"),
     (r"--sizes", "Density"),
     (r"--adaptivity", "Adaptivity"),
-    (r"--maximum-number", "a smaller number"),
     (r"--merge(?: [\d.e+-]+| DISTANCE)?", "Mesh > Merge > By Distance"),
     (r"'seamless parametrize'[^;.]*", "other settings"),
 )
@@ -230,8 +242,8 @@ class Job:
     def __init__(self, context, obj, settings):
         program = program_path(context)
         if program is None:
-            raise RuntimeError("The program 'seamless' is not found: name it in the preferences of this "
-                               "add-on")
+            raise RuntimeError("The program 'seamless' is not found; choose it in Edit > Preferences > "
+                               "Add-ons > Seamless Quads")
         self.object, self.smooth = obj, any(p.use_smooth for p in obj.data.polygons)
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="seamless_"))
         self.input, self.output = self.folder / "in.obj", self.folder / "out.obj"
@@ -259,8 +271,8 @@ class Job:
             result += ["--number", str(settings.number)]
         else:
             result += ["--edge-length", repr(settings.edge_length)]
-        if settings.use_angle:
-            result += ["--feature-angle", repr(np.degrees(settings.angle).item())]
+        # without the option, the program looks for sharp edges by itself
+        result += ["--feature-angle", repr(np.degrees(settings.angle).item() if settings.use_angle else 0.)]
         index = self.object.vertex_groups.find(settings.density_group)
         if index >= 0:
             self.source.write_sizes(self.folder / "sizes.txt", index, settings.density_factor)
@@ -313,14 +325,14 @@ class Job:
         old.select_set(False)
         new.select_set(True)
         context.view_layer.objects.active = new
-        notes = [line for line in self.lines() if line.startswith("note: ")]
+        notes = [line for line in self.lines() if line.startswith(("left out: ", "note: "))]
         warning = ""
         if status == 5:
             fault = "There are more than twice as many quads as wanted" \
                 if any("twice as many" in line for line in self.lines()) else "Some quads are inverted"
-            warning = fault + "; try more quads, or fewer sharp edges"
+            warning = fault + "; choose more Quads, or a larger Angle"
         elif notes:
-            warning = in_words(notes[0][len("note: "):], self.input)
+            warning = in_words(notes[0].replace("note: ", ""), self.input)
         return new, warning
 
     def clean(self):
@@ -342,7 +354,8 @@ class SEAMLESS_Preferences(bpy.types.AddonPreferences):
     def draw(self, context):
         self.layout.prop(self, "program")
         found = program_path(context)
-        self.layout.label(text=found or "Not found", icon="CHECKMARK" if found else "ERROR")
+        self.layout.label(text=found or "Not found: choose the program above",
+                          icon="CHECKMARK" if found else "ERROR")
 
 
 class SEAMLESS_Settings(bpy.types.PropertyGroup):
@@ -352,26 +365,29 @@ class SEAMLESS_Settings(bpy.types.PropertyGroup):
     number: IntProperty(name="Quads", default=5000, min=1, soft_max=200000,
                         description="About how many quads to make")
     edge_length: FloatProperty(name="Edge Length", default=0.1, min=1e-6, subtype="DISTANCE",
-                               description="How long to make the edges of the quads, before the scale "
-                                           "of the object")
-    use_angle: BoolProperty(name="Keep Sharp Edges", default=True,
-                            description="Quads follow edges that are sharper than an angle")
-    angle: FloatProperty(name="Sharp Angle", default=np.radians(40).item(), min=0.01,
-                         max=np.pi, subtype="ANGLE", description="Edges that are sharper are kept")
+                               description="How long to make the edges of the quads, in units of the "
+                                           "object: apply its scale first")
+    use_angle: BoolProperty(name="Sharp Edges", default=True,
+                            description="Quads follow edges at which the surface bends by more than the angle")
+    angle: FloatProperty(name="Angle", default=np.radians(40).item(), min=0.01,
+                         max=np.pi, subtype="ANGLE",
+                         description="Edges at which the surface bends by more are kept: 0 is flat, a "
+                                     "cube has 90")
     use_seams: BoolProperty(name="Seams", default=True, description="Quads follow seams")
     use_sharp: BoolProperty(name="Marked Sharp", default=True,
                             description="Quads follow edges that are marked as sharp")
     use_materials: BoolProperty(name="Material Borders", default=True,
                                 description="Quads follow edges between faces of different materials")
     symmetry: BoolVectorProperty(name="Symmetry", size=3, subtype="XYZ",
-                                 description="Mirror one half: the positive side of this axis is kept")
+                                 description="Mirror one half: the positive side of this axis is kept. One "
+                                             "axis only")
     density_group: StringProperty(name="Density", description="Quads are smaller where the weights of "
                                                               "this vertex group are larger")
     density_factor: FloatProperty(name="Factor", default=3, min=1, max=20,
                                   description="How many times shorter edges are where the weight is 1")
     adaptivity: FloatProperty(name="Adaptivity", default=1, min=1, max=10,
-                              description="Make quads up to so many times larger where the surface is "
-                                          "flat")
+                              description="Make quads on flat parts larger than on curved parts, by at "
+                                          "most this factor. 1 is off")
 
 
 class SEAMLESS_OT_remesh(bpy.types.Operator):
@@ -474,7 +490,7 @@ class SEAMLESS_PT_panel(bpy.types.Panel):
                 layout.prop(settings, "density_factor")
         layout.operator(SEAMLESS_OT_remesh.bl_idname, icon="MOD_REMESH")
         if program_path(context) is None:
-            layout.label(text="Program not found: see preferences", icon="ERROR")
+            layout.label(text="Program not found: choose it in the preferences", icon="ERROR")
 
 
 CLASSES = (SEAMLESS_Preferences, SEAMLESS_Settings, SEAMLESS_OT_remesh, SEAMLESS_PT_panel)

@@ -247,6 +247,55 @@ def test_worse_results_are_told():
             addon.program_path = found
 
 
+def test_unticked_sharp_edges():
+    """The program does not look for sharp edges by itself."""
+    settings = clear()
+    bpy.ops.mesh.primitive_cube_add()
+    settings.number, settings.use_angle = 700, False
+    for is_used in (False, True):
+        settings.use_angle = is_used
+        job = addon.Job(bpy.context, bpy.context.object, settings)
+        job.process.wait()
+        lines = job.lines()
+        job.clean()
+        assert any("sharp edge" in line or line.startswith("features:") for line in lines) == is_used, lines
+
+
+def test_small_parts_are_told():
+    settings = clear()
+    bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=4)
+    large = bpy.context.object
+    bpy.ops.mesh.primitive_ico_sphere_add(radius=0.01, location=(3, 0, 0))
+    large.select_set(True)
+    bpy.ops.object.join()
+    settings.number = 500
+    job = addon.Job(bpy.context, bpy.context.object, settings)
+    new, warning = job.finish(bpy.context)
+    job.clean()
+    assert number_of_parts(new.data) == 1
+    assert warning == "Left out: 1 small closed part, smaller than a quad; choose more Quads to keep them", \
+        warning
+
+
+def test_words():
+    for message, words in (
+        ("seamless: --number makes about 20000000 quads, at most 10 million are made; --maximum-number "
+         "allows more",
+         "Quads makes about 20000000 quads, at most 10 million are made; choose a smaller number of Quads"),
+        ("--edge-length makes about 20000000 quads, at most 10 million are made, by --edge-length 0.0123; "
+         "--maximum-number allows more",
+         "Edge Length makes about 20000000 quads, at most 10 million are made; choose an Edge Length of "
+         "0.0123 or more"),
+        ("12 of these edges look like noise: --feature-length 0.1 leaves them out, and a larger "
+         "--feature-angle keeps fewer",
+         "12 of these edges look like noise; choose a larger Angle, or mark fewer edges"),
+        ("12 sharp edges kept; --feature-angle 0 keeps none", "12 sharp edges kept"),
+        ("border: 5 corners left out, of steps that are smaller than quads; --border-tolerance 0 keeps all",
+         "Border: 5 corners left out, of steps that are smaller than quads"),
+    ):
+        assert addon.in_words(message, "in.obj") == words, addon.in_words(message, "in.obj")
+
+
 def test_manifest():
     """The rules of Blender 4.2 for extensions, which this Blender need not know."""
     import tomllib
