@@ -8,7 +8,8 @@ endif()
 
 file(READ "${MAN_PAGE}" page)
 foreach(text IN ITEMS ".SH NAME\nseamless " "Seamless_snapping ${VERSION}" "Exit status:"
-                      ".SH SEAMLESS SNAP\n" "\n  \\-\\-repair\\-flips " ".SH SEAMLESS BODY\n")
+                      ".SH SEAMLESS SNAP\n" "\n  \\-\\-repair\\-flips " ".SH SEAMLESS BODY\n"
+                      ".SH SEAMLESS SNAP IN.HEXEX\n")
   string(FIND "${page}" "${text}" position)
   if(position EQUAL -1)
     message(SEND_ERROR "not in the manual page: ${text}")

@@ -82,12 +82,13 @@ void Feature_options::add_to(Options& options, const std::string& keep,
                              const std::string& default_length)
 {
   options.add("feature-angle", "DEGREES", angle, {0, 180},
-              keep + " edges with a larger angle between their faces; 0 " + keep + "s none (default: 40 "
-              "if most such edges lie in chains longer than four edges of quads between smooth faces, "
-              "as on CAD models; else, and with --features, 0)");
+              keep + " edges with a larger angle between the normals of their faces: 0 for a flat "
+              "surface, 90 for a cube. 0 " + keep + "s none (default: 40 if most such edges lie in long "
+              "chains between smooth faces, as on CAD models; else, and with --features, 0)");
   options.add("feature-length", "L", length, {0, (std::numeric_limits<double>::max)()},
-              "leave out features that are noise: short lines with a free end, all short lines of a "
-              "net with many free ends, and sides of slivers (default: " + default_length + ")");
+              "leave out features that are noise: lines shorter than L with a free end, all lines "
+              "shorter than L that hang together and have many free ends, and sides of thin triangles "
+              "(default: " + default_length + ")");
 }
 
 Marked_features Feature_options::mark(const double edge_length, Model& model, std::ostream& os) const

@@ -17,10 +17,9 @@
 namespace po = boost::program_options;
 
 const char* const exit_statuses =
-  "Exit status: 0 done; 1 no exact solution was found, or the file is not exact; 2 wrong usage;\n"
-  "3 an input cannot be read; 4 an output cannot be written; 5 'snap' with --repair-flips or\n"
-  "--integer-grid, 'quads', 'remesh': written, but faces or cells remain that are flipped or\n"
-  "degenerate, or quads that are inverted, or twice as many quads as wanted that nothing forces.\n";
+  "Exit status: 0 done; 1 failed, or the checked file is not exact; 2 wrong usage; 3 an input cannot\n"
+  "be read; 4 an output cannot be written; 5 written, but with flaws that the messages name: flipped\n"
+  "faces or cells, inverted quads or hexahedra, or more than twice as many quads as wanted.\n";
 
 void print_version(std::ostream& os)
 {

@@ -218,12 +218,12 @@ Repairs build(const Polygon_soup& soup, const Plain_reading_options& options, Mo
 
 void Plain_reading_options::add_to(Options& options)
 {
-  options.add("features", features, "treat the edges of 'l' elements as features");
+  options.add("features", features, "treat the edges of 'l' elements of a .obj file as features");
   options.add("merge", "DISTANCE", merge, {0, std::numeric_limits<double>::infinity(), true},
               "merge points up to this distance, for surfaces whose parts don't quite meet");
   options.add("fill-holes", "N", fill_holes, whole_numbers(3, 1 << 20),
               "close holes that have at most N edges by triangles; this also closes small open pieces");
-  options.add("strict", strict, "refuse a mesh that needs repair or triangulation");
+  options.add("strict", strict, "refuse a mesh that needs repair or triangulation, such as a mesh of quads");
 }
 
 std::string Repairs::in_words() const

@@ -32,7 +32,7 @@ void make_body(const Arguments& arguments)
   options.add("genus", "G", body.genus, {0, 1000}, "the number of holes (default: 2)");
   options.add("sharp", body.is_sharp, "keep the sharp edges of the box");
   options.add("borders", "N", body.number_of_borders, {0, 2},
-              "the number of ends that are cut off (default: 0)");
+              "the number of ends of the body that are cut off, so that they are open (default: 0)");
   options.add("edge-length", "L", body.edge_length, {0.001, 1000},
               "the length of edges of the triangles (default: 0.25)");
   if(!options.parse(arguments))

@@ -50,7 +50,7 @@ void check(const Arguments& arguments)
   options.add("float", seam_options.reading.in_float,
               "check the coordinates after rounding to 32-bit floats");
   options.add("open", keeps_open, "treat border edges between the same points as borders, not as cuts");
-  options.add("report", "R.json", report, "write all figures to a file");
+  options.add("report", "R.json", report, "write all measurements to a file, as JSON");
   options.exclude({"weld", "open"});
   if(!options.parse(arguments))
     return;

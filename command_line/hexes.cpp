@@ -50,19 +50,19 @@ struct Hexahedra_options
     options.add_file("input", input);
     options.add_file("output", output);
     options.add("number", "N", number, whole_numbers(1, largest_number),
-                "make about N hexahedra, or more if integers allow no fewer (default: as many as "
-                "the map has, whose integers must be near)");
+                "make about N hexahedra, or more if cells collapse with so few (default: do not scale "
+                "the map, whose cones and translations must be near integers)");
     options.add("maximum-number", "M", most, whole_numbers(1, largest_number),
                 "the number of hexahedra above which to give up (default: 64 times N)");
     options.add("tolerance", "T", tolerance, {0, 1, true},
-                "the largest violation that is taken for noise, relative to the extent");
+                "gaps up to T are taken for noise, relative to the extent of the coordinates");
     options.add("ignore-features", ignore_features,
                 "do not ask the features of the file to lie on the grid");
     options.add("moving-rounds", "R", rounds, whole_numbers(0, 1e6),
                 "the largest number of rounds in which vertices move, to make hexahedra positive "
                 "(default: 20)");
     options.add("picture", "FILE", picture, "write a picture of the mesh, cut open, as .svg");
-    options.add("report", "R.json", report, "write all figures to a file");
+    options.add("report", "R.json", report, "write all measurements to a file, as JSON");
     options.add_alias("svg", "picture");
     if(!options.parse(arguments))
       return false;

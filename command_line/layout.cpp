@@ -54,7 +54,7 @@ struct Layout_options
                 "let curves cross each other, up to a cone, corner, border, or feature");
     seams.add_repair_to(options);
     options.add("picture", "FILE", picture, "draw the surface, as .svg");
-    options.add("report", "R.json", report, "write all figures to a file");
+    options.add("report", "R.json", report, "write all measurements to a file, as JSON");
     options.add_alias("svg", "picture");
     if(!options.parse(arguments))
       return false;

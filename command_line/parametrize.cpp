@@ -67,7 +67,7 @@ struct Parametrize_options
     options.add("overwrite", overwrite, "let OUT replace IN");
     options.add("picture", "FILE", picture,
                 "draw the domain, and the largest gaps before and after, as .svg");
-    options.add("report", "R.json", report, "write all figures to a file");
+    options.add("report", "R.json", report, "write all measurements to a file, as JSON");
     options.add("verbose", reading.verbose, "report each step");
     options.add_alias("svg", "picture");
     if(!options.parse(arguments))

@@ -78,8 +78,8 @@ bool is_picture(const std::string& filename)
 void add_patches_to(Options& options, std::string& filename)
 {
   options.add("patches", "FILE", filename,
-              "also divide the quads into rectangular patches; write them row by row as .obj, with a "
-              "group for each patch, or draw them as .svg");
+              "also divide the quads into rectangular patches; write these patches as .obj, with a group of "
+              "quads, row by row, for each patch, or draw them as .svg");
 }
 
 void check_patch_file(const std::string& filename)

@@ -76,7 +76,7 @@ struct Quad_options
                 "also write quads that meet themselves, or meet each other twice");
     options.add("picture", "FILE", picture, "draw the quads, as .svg");
     add_patches_to(options, patches);
-    options.add("report", "R.json", report, "write all figures to a file");
+    options.add("report", "R.json", report, "write all measurements to a file, as JSON");
     options.add_alias("quads", "number");
     options.add_alias("svg", "picture");
     options.exclude({"number", "grid-scale"});

@@ -116,7 +116,7 @@ struct Remesh_options
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double largest_number = 1 << 28;
     Options options("remesh IN OUT",
-                    "Makes a mesh of quads from a triangle mesh. Quads follow borders and features.\n"
+                    "Makes a mesh of quads from a triangle mesh. Quads follow borders and sharp edges.\n"
                     "\n"
                     "IN is a .obj, .ply, .off, or .stl file, a file of another format that CGAL\n"
                     "reads, or - for the standard input. The program repairs IN if need be, and says\n"
@@ -132,7 +132,7 @@ struct Remesh_options
     options.add("coarsest", coarsest, "instead of a number, make as few quads as the search finds");
     options.add("maximum-number", "N", maximum_number, whole_numbers(1, largest_number),
                 "the largest number of quads, in case features force more than wanted (default: 100 "
-                "times the wanted number, and at least 100000); needed for more than 10 million");
+                "times the wanted number, and at least 100000). Give it to ask for more than 10 million");
     features.add_to(options, "keep",
                     "the wanted length of edges of quads; 0 with --coarsest and --features");
     options.add("feature-loss", "PART", feature_loss, {0, 1},
@@ -140,34 +140,35 @@ struct Remesh_options
                 "force more quads than wanted (default: 0)");
     double strength = 0, tolerance = 0, area = 0;
     options.add("curvature", "STRENGTH", strength, {0, (std::numeric_limits<double>::max)()},
-                "how strongly quads follow the curvature. 0: not at all. 0.002, the default unless sizes "
-                "vary: along edges and around round parts. 0.1 and more: with more irregular vertices");
+                "how strongly quads follow the curvature. 0: not at all; the default if sizes vary. 0.002: "
+                "along sharp edges and around cylinders; the default otherwise. 0.1 and more: strongly, "
+                "with more irregular vertices");
     options.add("border-tolerance", "L", tolerance, {0, infinity},
-                "the largest steps of the border that quads ignore (default: half the wanted length of "
-                "edges; 0, which ignores no step, if sizes vary and with --coarsest)");
+                "ignore steps of the border up to this size (default: half the wanted length of edges; 0 "
+                "if sizes vary, and with --coarsest)");
     options.add("area-threshold", "A", area, {0, infinity},
                 "leave out closed pieces of less area, except for the largest piece (default: the area "
-                "of a quad, for pieces that are much smaller than the largest; 0, which leaves out "
-                "none, with --coarsest)");
+                "of a quad, and a hundredth of the largest piece, if that is less; 0 with --coarsest)");
     options.add("field", "FILE", field,
                 "directions of the quads for the faces of IN, a .rosy or .rawfield file. Faces with the "
                 "direction 0 are free. Features take precedence. Quads can turn away from the "
                 "directions to keep equal sizes, unless --sizes fit the directions");
     options.add("sizes", "FILE", sizes,
                 "wanted lengths of edges at the vertices of IN: a text file with a number for each "
-                "vertex, or the name of a property if IN is a .ply file. With --number, only ratios "
-                "count; with --edge-length, sizes are multiples of it");
+                "vertex, in the order of IN; or the name of a property if IN is a .ply file. With "
+                "--number, only ratios count; with --edge-length, sizes are multiples of it; otherwise, "
+                "they are lengths");
     options.add("adaptivity", "R", adaptivity, {1, (std::numeric_limits<double>::max)()},
                 "make quads up to R times larger on flat parts than on curved parts; the ratio is often "
                 "2 to 4 only");
     options.add("symmetry", "PLANE", symmetry,
-                "mirror one half by a plane: x, y, or z for a coordinate plane; A,B,C,D for the plane "
-                "Ax + By + Cz + D = 0, whose positive side is kept; auto for a plane by which all "
+                "keep the half on the positive side of a plane, and mirror it: x for the plane x = 0, y, "
+                "or z; A,B,C,D for the plane Ax + By + Cz + D = 0; auto for a plane by which all "
                 "vertices of IN are symmetric up to about six digits");
     reading.add_to(options);
     options.add("picture", "FILE", picture, "draw the quads, as .svg");
     add_patches_to(options, patches);
-    options.add("report", "R.json", report, "write all figures to a file");
+    options.add("report", "R.json", report, "write all measurements to a file, as JSON");
     options.add("verbose", reading.verbose, "report each step");
     options.add_alias("quads", "number");
     options.add_alias("svg", "picture");

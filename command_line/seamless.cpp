@@ -24,13 +24,15 @@ struct Command
 };
 
 const std::array<Command, 9> commands = {{
+  {"remesh", "make a mesh of quads from a triangle mesh", "; ask for fewer quads by --number",
+   remesh},
+  {"parametrize", "compute an exactly seamless parametrization of a triangle mesh", "",
+   parametrize},
   {"snap", "make the parametrization in a file exactly seamless", "", snap},
   {"check", "tell whether the parametrization in a file is exactly seamless", "", check},
-  {"parametrize", "compute an exactly seamless parametrization of a mesh", "", parametrize},
-  {"quads", "make the quads of a parametrization",
+  {"quads", "make a mesh of quads from a parametrization",
    "; ask for fewer quads by --number", quads},
-  {"remesh", "remesh a triangle mesh with quads", "; ask for fewer quads by --number", remesh},
-  {"hexes", "make a mesh of hexahedra of a parametrized tetrahedral mesh",
+  {"hexes", "make a mesh of hexahedra from a parametrized tetrahedral mesh",
    "; ask for fewer hexahedra by --number", hexes},
   {"layout", "divide a parametrized surface into rectangles along isocurves", "", layout},
   {"trace", "follow isocurves from singular vertices, before and after snapping",
@@ -43,7 +45,9 @@ void print_help(std::ostream& os)
   os << "Usage: seamless COMMAND ...\n\n";
   for(const Command& command : commands)
     os << "  " << std::left << std::setw(13) << command.name << command.purpose << "\n";
-  os << "\nseamless COMMAND --help shows the options of a command, seamless --version the version.\n\n"
+  os << "\nseamless COMMAND --help shows the options of a command; for tetrahedral meshes,\n"
+        "seamless snap IN.hexex --help, and seamless check IN.hexex --help. seamless --version shows\n"
+        "the version. Try: seamless body a.off; seamless remesh a.off b.obj --number 2000\n\n"
      << exit_statuses;
 }
 

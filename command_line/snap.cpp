@@ -39,7 +39,7 @@ struct Snap_options
     Options options("snap IN OUT",
                     "Makes the texture coordinates of a triangle mesh exactly seamless: across each\n"
                     "edge, the coordinates of both sides differ by a rotation by a multiple of 90\n"
-                    "degrees and a translation. It moves them by about as much as they are inaccurate.\n"
+                    "degrees and a translation. It moves them by about the size of their errors.\n"
                     "\n"
                     "Files are .obj files, .ply files with a list 'texcoord' for each face, or - for\n"
                     "the standard streams. If OUT has the format of IN, all else in the file stays as\n"
@@ -52,7 +52,7 @@ struct Snap_options
     options.add("float", seams.reading.in_float,
                 "make the coordinates exact as 32-bit floats, for programs that read floats");
     options.add("overwrite", overwrite, "let OUT replace IN");
-    options.add("report", "R.json", report, "write all figures to a file");
+    options.add("report", "R.json", report, "write all measurements to a file, as JSON");
     options.add("picture", "FILE", picture,
                 "draw the domain, and the largest gaps before and after, as .svg");
     options.add_alias("svg", "picture");

@@ -81,7 +81,7 @@ struct Trace_options
                 "the largest violation of seams that is accepted, relative to the extent (default: 1e-4)");
     options.add("near", "D", near_by, {0, 1},
                 "the largest distance at which a curve counts as missing a vertex, relative to the extent");
-    options.add("report", "R.json", report, "write all figures to a file");
+    options.add("report", "R.json", report, "write all measurements to a file, as JSON");
     options.add("verbose", reading.verbose, "report each step on the error stream");
     if(!options.parse(arguments))
       return false;

@@ -330,7 +330,7 @@ void check_volume(const Arguments& arguments)
   Volume_options volume_options;
   options.add_file("input", input);
   volume_options.add_to(options);
-  options.add("report", "R.json", report, "write all figures to a file");
+  options.add("report", "R.json", report, "write all measurements to a file, as JSON");
   if(!options.parse(arguments))
     return;
   check_outputs({input}, {report});
@@ -371,8 +371,8 @@ void check_volume(const Arguments& arguments)
 void snap_volume(const Arguments& arguments)
 {
   Options options("snap IN.hexex OUT.hexex",
-                  "Moves the coordinates of a tetrahedral mesh, by about as much as they are\n"
-                  "inaccurate, so that they are exactly seamless: across each facet, the coordinates\n"
+                  "Moves the coordinates of a tetrahedral mesh, by about the size of their errors,\n"
+                  "so that they are exactly seamless: across each facet, the coordinates\n"
                   "on both sides differ by a rotation of the cube and a translation, and boundary and\n"
                   "features lie in planes of constant coordinates. All else in the file stays as it is.\n");
   std::string input, output, report_file;
@@ -385,7 +385,7 @@ void snap_volume(const Arguments& arguments)
   options.add_file("output", output);
   volume_options.add_to(options);
   options.add("tolerance", "T", volume_options.tolerance, {0, 1, true},
-              "the largest violation that is taken for noise, relative to the extent");
+              "gaps up to T are taken for noise, relative to the extent of the coordinates");
   options.add("grid-scale", "K", scale, {0, infinity, true},
               "multiply the coordinates by K first (default: 1)");
   options.add("rounding", "D", rounding, {0, infinity},
@@ -399,7 +399,7 @@ void snap_volume(const Arguments& arguments)
   options.add("untangling-iterations", "N", untangling_iterations, {0, 1e9},
               "the largest number of passes over the cells around flipped ones (default: 400)");
   options.add("overwrite", overwrite, "let OUT replace IN");
-  options.add("report", "R.json", report_file, "write all figures to a file");
+  options.add("report", "R.json", report_file, "write all measurements to a file, as JSON");
   options.exclude({"hexahedra", "grid-scale"});
   options.exclude({"hexahedra", "rounding"});
   if(!options.parse(arguments))
