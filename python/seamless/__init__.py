@@ -1,8 +1,8 @@
 """Exactly seamless parametrizations of surfaces and volumes, layouts, quads, and hexahedra.
 
 Points are float64 arrays ``(n, 3)``, triangles integer arrays ``(m, 3)`` of rows from 0. Other layouts
-and types of numbers are converted. Nothing of the caller's is changed. What can't be done raises
-`Error`, a `ValueError` that tells the place and the remedy.
+and types of numbers are converted. Your arrays never change. A call that fails raises `Error`, a
+`ValueError` that tells the place and the remedy.
 """
 
 from . import _core, examples

@@ -15,9 +15,12 @@ def extract_quads(V, F, uv, quads=None, *, grid_scale=1, rounding=None, features
                   progress=None, report=False):
     """Extract the quads of a parametrization: the cells of its integer grid.
 
-    Without a number of quads, the coordinates become an exact integer-grid map first, which they must
-    be nearly. With a number of quads, the coordinates need only be seamless: integers that are near are
-    taken if they make about as many quads, else a quantization finds some.
+    Without a number of quads, the coordinates must be near whole numbers at cones and translations; they
+    are rounded to these first. With a number of quads, the coordinates need only be seamless, with no
+    flipped triangle: the function chooses whole numbers so that about as many quads come out.
+
+    Cells around cones between the lines of the grid have other than four corners. They are not in the
+    array of quads, but in the report.
 
     Parameters
     ----------
@@ -30,8 +33,8 @@ def extract_quads(V, F, uv, quads=None, *, grid_scale=1, rounding=None, features
     grid_scale : float
         without `quads`: a factor for the coordinates
     rounding : float, optional
-        how far from integers translations, cones, and aligned edges may be that are rounded to them:
-        0.01 by default, and with `quads` 0.5, or any distance if nothing else helps
+        the largest distance to the next whole number at which translations, cones, and aligned edges
+        are rounded: 0.01 by default, and with `quads` 0.5, or any distance if nothing else helps
     features : array_like, optional
         edges that the quads keep, ``(k, 2)``
     align_border : bool
@@ -41,7 +44,8 @@ def extract_quads(V, F, uv, quads=None, *, grid_scale=1, rounding=None, features
     allow_holes : bool
         whether to leave out the quads around triangles that are still flipped, instead of refusing
     weld : bool
-        whether to join border edges in the same place, as of a mesh that is cut open along its seams
+        whether to join border edges in the same place, for example of a mesh that is cut open along its
+        seams
     progress : callable, optional
         as for `parametrize`
     report : bool
@@ -54,9 +58,10 @@ def extract_quads(V, F, uv, quads=None, *, grid_scale=1, rounding=None, features
     Q : numpy.ndarray
         int64 ``(k, 4)``: the quads
     report : dict, if `report` is True
-        among others ``integers``, which were taken; ``number_of_inverted_quads``;
-        ``other_polygons``, lists of points of faces that are no quads, around cones between the lines
-        of the grid; and ``number_of_cut_cells``, pieces of cells at the border, which are left out
+        among others ``integers``, which tells in words where the whole numbers come from;
+        ``number_of_inverted_quads``;
+        ``other_polygons``, lists of points of the faces that are no quads; and ``number_of_cut_cells``,
+        pieces of cells at the border, which are left out
 
     Raises
     ------
@@ -86,17 +91,18 @@ def extract_quads(V, F, uv, quads=None, *, grid_scale=1, rounding=None, features
 
 @dataclasses.dataclass(frozen=True)
 class Layout:
-    """A partition of a surface into rectangles, as `layout` makes it.
+    """A division of a surface into rectangles, as `layout` makes it.
 
     Nodes, arcs, and patches are numbered from 0. Arc ``a`` consists of the half-arcs ``2 a``, which
-    runs forward, and ``2 a + 1``. A patch lies at the left of its half-arcs.
+    runs from its first node to its second one, and ``2 a + 1``, which runs back. A patch lies at the left
+    of its half-arcs, seen from outside.
 
     Attributes
     ----------
     nodes : float64 (k, 3)
         the places of the nodes
     node_kinds : list of str
-        ``'cone'``, ``'corner'``, ``'seed'`` (chosen in a part without any other node), or
+        ``'cone'``, ``'corner'``, ``'given'``, ``'seed'`` (chosen in a part without any other node), or
         ``'junction'``, at which a curve ends at another one
     node_vertices : int64 (k,)
         the vertex that a node is, or -1
@@ -105,7 +111,7 @@ class Layout:
     arcs : int64 (a, 2)
         the nodes of each arc
     arc_lengths : float64 (a,)
-        the lengths in the plane, rounded; 0 for arcs along a border that is not aligned
+        the lengths in units of u and v, rounded to floats; 0 for arcs along a border that is not aligned
     arc_is_constrained : bool (a,)
         whether an arc runs along the border or features
     arc_patches : int64 (a, 2)
@@ -115,13 +121,13 @@ class Layout:
     patch_corners : int64 (p, 4)
         the nodes at the corners of each rectangle, counterclockwise; -1 for patches that are cut
     patch_sizes : float64 (p, 2)
-        width and height in the plane, rounded
+        width and height in units of u and v, rounded to floats
     patch_is_cut : bool (p,)
         whether a border that is not aligned cuts the patch, so that it is no rectangle
     patch_half_arcs : list of int64 arrays
         the half-arcs around each patch
     message : str
-        what there is to say about the border
+        a remark about the border, if it cuts patches; else empty
     """
 
     nodes: np.ndarray
@@ -208,7 +214,7 @@ class Curve:
     end : str
         how it ends: ``'singular vertex'``, ``'border'``, ``'closed'``, ``'maximum length'``,
         ``'maximum number'`` (it has crossed three times as many edges as there are triangles), or
-        ``'constant on a face'``
+        ``'constant on a face'`` (at a degenerate triangle)
     """
 
     faces: np.ndarray
@@ -232,7 +238,7 @@ def trace(F, uv, start=None, *, maximum_length=None, progress=None):
     uv : array_like
         exactly seamless coordinates of the corners, ``(m, 3, 2)``
     start : optional
-        where the curves start: vertices, ``(k,)``; or places inside of triangles, as a pair of
+        where the curves start: vertices, ``(k,)``; or places inside of triangles, as a pair of arrays:
         triangles, ``(k,)``, and barycentric coordinates, ``(k, 3)``. Curves start in all directions
         along which a coordinate is constant. By default, they start at all singular vertices.
     maximum_length : float, optional

@@ -17,13 +17,14 @@ def snap_linear(A, b, x, *, weights=None, progress=None, report=False):
     ----------
     A : scipy.sparse matrix or array_like
         the coefficients, ``(m, n)``: integers, floats, or, as an array of objects, `int` and
-        `fractions.Fraction` of any size. A float is the rational number that it is.
+        `fractions.Fraction` of any size. A float stands for its exact binary value: 0.1 is not
+        ``Fraction(1, 10)``.
     b : array_like
         the right-hand sides, ``(m,)``: numbers of these kinds
     x : array_like
         the numbers to move, ``(n,)``
     weights : array_like, optional
-        positive numbers, ``(n,)``; large ones hold their numbers still
+        positive numbers, ``(n,)``; numbers with a large weight move less
     progress : callable, optional
         as for `parametrize`
     report : bool
@@ -34,7 +35,8 @@ def snap_linear(A, b, x, *, weights=None, progress=None, report=False):
     x : numpy.ndarray
         float64 ``(n,)``: ``A x = b`` holds exactly
     report : dict, if `report` is True
-        among others ``largest_change`` and ``distance_ratio``
+        among others ``largest_change``, and ``distance_ratio``: how many times farther the numbers have
+        moved than a solution in real numbers would have to
 
     Raises
     ------
@@ -46,9 +48,12 @@ def snap_linear(A, b, x, *, weights=None, progress=None, report=False):
     Examples
     --------
     >>> import seamless
-    >>> A = [[1, -1, 0], [0, 3, 1]]
-    >>> seamless.snap_linear(A, [0, 5], [0.1, 0.10000001, 4.7])
-    array([0.1, 0.1, 4.7])
+    >>> from fractions import Fraction
+    >>> 3 * Fraction(0.1) + Fraction(4.7) == 5
+    False
+    >>> x = seamless.snap_linear([[1, -1, 0], [0, 3, 1]], [0, 5], [0.1, 0.1, 4.7])
+    >>> bool(x[0] == x[1]) and 3 * Fraction(x[1]) + Fraction(x[2]) == 5
+    True
     """
     x = _checks.doubles(x, "x", (None,), "one number for each column of A")
     begins, columns, values = _rows(A, len(x))

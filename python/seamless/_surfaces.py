@@ -24,10 +24,11 @@ def sharp_edges(V, F=None, angle=40, *, minimum_length=0, weld=None):
     angle : float
         an edge is sharp if the normals of its faces differ by at least this angle, in degrees
     minimum_length : float
-        lines of sharp edges that are shorter and lead nowhere are left out, as noise makes them
+        leave out chains of sharp edges that are shorter than this and end freely, which are mostly
+        noise; 0 keeps all
     weld : bool, optional
-        what to do about border edges in the same place, as of a mesh that is cut open along the seams
-        of a texture: True joins them, False leaves them open. By default they are refused.
+        what to do if border edges lie in the same place, for example along the seams of a texture:
+        True joins them, False leaves them open. By default, such a mesh is refused.
 
     Returns
     -------
@@ -37,7 +38,8 @@ def sharp_edges(V, F=None, angle=40, *, minimum_length=0, weld=None):
     Raises
     ------
     Error
-        if an argument is not as above, or the triangles are no oriented surface
+        if an argument is not as above, or the triangles are no oriented surface: an edge has more than two
+        triangles, or neighbors list their vertices in opposite directions
 
     Examples
     --------
@@ -63,20 +65,21 @@ def parametrize(V, F=None, *, features=None, align_border=False, curvature=0, fi
     F : array_like, optional
         triangles, ``(m, 3)``: rows of `V`
     features : array_like, optional
-        edges along which a coordinate is to be constant, ``(k, 2)``: rows of `V`. An edge that would
-        flip triangles is released; the report lists it.
+        edges along which a coordinate is to be constant, ``(k, 2)``: rows of `V`. An edge is given up if
+        it can't be kept without flipped triangles; the report lists it.
     align_border : bool
         whether a coordinate is to be constant along each border edge
     curvature : float
-        how strongly the field follows the principal directions of curvature; 0, or at least 1e-9
+        how strongly the isocurves follow the principal directions of curvature: 0 (not), or at least
+        1e-9; 0.5 is strong
     field : array_like or path, optional
-        a direction for each triangle, ``(m, 3)``, or a file that `read_field` reads. If it is 0, the
-        field is smooth there.
+        a direction for each triangle, ``(m, 3)``, or a file that `read_field` reads. For a triangle with
+        the direction (0, 0, 0), the function chooses the direction.
     weld : bool, optional
         as for `sharp_edges`
     progress : callable, optional
-        is called with a line of text after each step, and a few times a second in long ones. What it
-        raises ends the work.
+        is called with a line of text after each step, and a few times a second in long ones. If it
+        raises an exception, the call ends with this exception.
     report : bool
         whether to return a report, too
 
@@ -85,8 +88,8 @@ def parametrize(V, F=None, *, features=None, align_border=False, curvature=0, fi
     uv : numpy.ndarray
         float64 ``(m, 3, 2)``: two coordinates for each corner of each triangle
     report : dict, if `report` is True
-        among others ``cones``, an int64 array of vertices and indices in quarter turns, and
-        ``released_edges``, ``(k, 2)``
+        among others ``cones``, int64 ``(k, 2)``: a vertex, and the number of quarter turns that its angle
+        is less than 360 degrees; and ``released_edges``, ``(k, 2)``
 
     Raises
     ------
@@ -112,7 +115,7 @@ def parametrize(V, F=None, *, features=None, align_border=False, curvature=0, fi
 
 def snap(F, uv, *, V=None, features=None, align_border=False, tolerance=1e-4, repair_flips=False,
          weld=False, out=None, progress=None, report=False):
-    """Make a parametrization exactly seamless, by moving it about as much as it is inaccurate.
+    """Make a parametrization exactly seamless, by changes of about the size of its errors.
 
     Afterwards the two sides of each edge differ by a rotation by a multiple of 90 degrees and a
     translation, exactly, in the numbers that are returned. This is verified in exact arithmetic.
@@ -130,13 +133,13 @@ def snap(F, uv, *, V=None, features=None, align_border=False, tolerance=1e-4, re
     align_border : bool
         whether a coordinate is to be constant along each border edge
     tolerance : float
-        the largest violation that counts as inaccuracy, relative to the extent of the coordinates;
-        a larger one is an error
+        the largest gap at a seam that counts as rounding error, relative to the extent of the
+        coordinates; a larger gap raises an error
     repair_flips : bool
         whether to repair triangles that are flipped in the plane, if need be by changing the
         coordinates around them
     weld : bool
-        whether to join border edges of `V` in the same place, as of a mesh that was cut open along
+        whether to join border edges in the same place, for example of a mesh that was cut open along
         its seams
     out : numpy.ndarray, optional
         receives the coordinates, if all goes well: float64, of the shape of `uv`; it may be `uv`
@@ -200,9 +203,9 @@ def measure(F, uv, *, V=None, features=None, align_border=False, weld=False):
         ``number_of_interior_edges``, ``number_of_mismatched_edges`` (with different coordinates on
         both sides), ``number_of_inexact_edges``, ``number_of_aligned_edges``,
         ``number_of_misaligned_edges``, ``number_of_flipped_faces``,
-        ``number_of_degenerate_faces``. Lengths: ``extent``, ``violation``, ``misalignment``.
-        ``cones`` is an int64 array of vertices and their indices in quarter turns, or None if the
-        coordinates are not seamless at all.
+        ``number_of_degenerate_faces``. Lengths: ``extent``, the size of the coordinates; ``violation``,
+        the widest gap at a seam; ``misalignment``, the largest change of a coordinate that should be
+        constant. ``cones`` is as for `parametrize`, or None if the coordinates are not seamless at all.
 
     Raises
     ------
@@ -234,7 +237,7 @@ def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maxi
     F : array_like, optional
         triangles, ``(m, 3)``: rows of `V`
     quads : int, optional
-        about how many quads to make; 10,000 by default
+        about how many quads to make; 10,000 by default. More than 10,000,000 need `maximum`.
     edge_length : float, optional
         instead, how long to make their edges
     coarsest : bool
@@ -243,28 +246,31 @@ def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maxi
         the largest number of quads; if features force more, this is an error. The default is a
         hundred times the number wanted, and at least 100,000.
     features : array_like, optional
-        edges that the quads keep, ``(k, 2)``: rows of `V`, as `sharp_edges` returns them
+        edges that the quads should follow, ``(k, 2)``: rows of `V`, in the form that `sharp_edges`
+        returns. None by default.
     feature_loss : float
-        the part of the length of the features that may be released if they force quads, from 0 to 1
+        the part of the length of the features that may be given up if they force quads, from 0 to 1
     field : array_like or path, optional
-        a direction of the quads for each triangle, ``(m, 3)``, or a file that `read_field` reads. If
-        it is 0, the field is smooth there.
+        a direction of the quads for each triangle, ``(m, 3)``, or a file that `read_field` reads. For a
+        triangle with the direction (0, 0, 0), the function chooses the direction.
     sizes : array_like, optional
-        how long to make the edges at each vertex, ``(n,)``. With `quads`, only their ratios count;
-        with `edge_length`, they are multiples of it.
+        how long to make the edges at each vertex, ``(n,)``. With `quads`, only their ratios count; with
+        `edge_length`, they are multiples of it; otherwise, they are lengths.
     curvature : float, optional
-        how strongly the quads follow the principal directions of curvature; by default a little
+        how strongly the quads follow the principal directions of curvature: 0.002 by default, 0 if sizes
+        vary; 0.1 and more follow them strongly, with more irregular vertices
     adaptivity : float
-        make quads up to so many times larger where the surface is flat
+        make quads on flat parts larger than on curved parts, by at most this factor
     border_tolerance : float, optional
-        how far straight lines may be from the border that stand in for it, to have fewer corners; half
-        an edge of the quads by default
+        ignore steps and zigzags of the border that are smaller than this; by default half an edge of
+        the quads
     area_threshold : float, optional
-        closed parts of less area are left out, but for the largest part; 0 keeps all. By default,
-        specks are left out that are smaller than a quad; a warning tells of them.
+        leave out closed parts with less area than this; the largest part always stays. By default, the
+        area of a quad, and a hundredth of the largest part, if that is less; a warning tells of it.
+        0 keeps all.
     symmetry : str or array_like, optional
-        mirror one half: by ``'x'``, ``'y'``, ``'z'`` for a coordinate plane, by four numbers
-        ``a, b, c, d`` for the plane ``a x + b y + c z + d = 0``, whose positive side is kept, or
+        keep the half on the positive side of a plane, and mirror it: ``'x'`` for the plane x = 0,
+        ``'y'``, ``'z'``; four numbers ``a, b, c, d`` for the plane ``a x + b y + c z + d = 0``; or
         ``'auto'`` to find a plane by which the vertices are symmetric
     weld : bool, optional
         as for `sharp_edges`
@@ -280,8 +286,8 @@ def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maxi
     Q : numpy.ndarray
         int64 ``(k, 4)``: the quads, each of four rows of the points
     report : dict, if `report` is True
-        figures such as ``number_of_inverted_quads`` and ``mean_scaled_jacobian``; and what ties the
-        quads to the input: ``faces_of_vertices`` and ``weights_of_vertices``, the triangle and the
+        measurements such as ``number_of_inverted_quads`` and ``mean_scaled_jacobian``; and places of the
+        quads on the input: ``faces_of_vertices`` and ``weights_of_vertices``, the triangle and the
         barycentric coordinates of the place nearest to each point; ``faces_of_quads``; and
         ``feature_edges``, pairs of points
 

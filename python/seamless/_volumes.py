@@ -26,7 +26,8 @@ def snap_volume(T, uvw, *, feature_facets=None, feature_edges=None, align_bounda
     align_boundary : bool
         whether a coordinate is to be constant on each facet of the boundary
     tolerance : float
-        the largest violation that counts as inaccuracy, relative to the extent of the coordinates
+        the largest gap at a facet that counts as rounding error, relative to the extent of the
+        coordinates
     repair_flips : bool
         whether to repair tetrahedra that are flipped
     integer_grid : bool
@@ -34,8 +35,8 @@ def snap_volume(T, uvw, *, feature_facets=None, feature_edges=None, align_bounda
     grid_scale : float
         a factor for the coordinates
     rounding : float
-        with `integer_grid`: how far from integers translations and levels may be that are rounded to
-        them
+        with `integer_grid`: the largest distance to the next whole number at which translations, and
+        coordinates that are constant on facets or along edges, are rounded
     progress : callable, optional
         as for `parametrize`
     report : bool
@@ -46,7 +47,7 @@ def snap_volume(T, uvw, *, feature_facets=None, feature_edges=None, align_bounda
     uvw : numpy.ndarray
         float64 ``(m, 4, 3)``
     report : dict, if `report` is True
-        among others ``largest_change`` and ``lost_cells``
+        among others ``largest_change``, and ``lost_cells``: tetrahedra that became flipped
 
     Raises
     ------
@@ -103,10 +104,11 @@ def measure_volume(T, uvw, *, feature_facets=None, feature_edges=None, align_bou
 
 def hexahedra(V, T, uvw, hexahedra=None, *, maximum=None, feature_facets=None, feature_edges=None,
               tolerance=1e-4, moving_rounds=20, progress=None, report=False):
-    """Make a mesh of hexahedra of a tetrahedral mesh with a seamless parametrization.
+    """Make a mesh of hexahedra from a tetrahedral mesh with a seamless parametrization.
 
-    The coordinates become an exact integer-grid map; its cells are the hexahedra. Then vertices move
-    so that hexahedra become positive. The hexahedra fill the volume and meet face to face.
+    The coordinates come from another program, such as AlgoHex. They become an exact integer-grid map: the
+    cubes of its grid are the hexahedra. Then vertices move to mend hexahedra that are inverted. The
+    hexahedra fill the body and meet face to face.
 
     Parameters
     ----------
@@ -117,8 +119,8 @@ def hexahedra(V, T, uvw, hexahedra=None, *, maximum=None, feature_facets=None, f
     uvw : array_like
         coordinates of the corners, ``(m, 4, 3)``, seamless up to `tolerance`
     hexahedra : int, optional
-        about how many hexahedra to make, or more if integers allow no fewer. By default, as many as the
-        coordinates have, whose integers must be near.
+        about how many hexahedra to make, or more if cells collapse with so few. By default, the
+        coordinates are not scaled, and must be near whole numbers.
     maximum : int, optional
         the number of hexahedra above which to give up; 64 times `hexahedra` by default
     feature_facets : array_like, optional
@@ -126,10 +128,10 @@ def hexahedra(V, T, uvw, hexahedra=None, *, maximum=None, feature_facets=None, f
     feature_edges : array_like, optional
         edges along which two coordinates are to be integers, ``(k, 2)``
     tolerance : float
-        the largest violation that counts as inaccuracy, relative to the extent of the coordinates
+        the largest gap at a facet that counts as rounding error, relative to the extent of the
+        coordinates
     moving_rounds : int
-        the largest number of rounds in which vertices move; 0 leaves all where the coordinates have
-        them
+        the largest number of rounds in which vertices move; 0 leaves all vertices in their places
     progress : callable, optional
         as for `parametrize`
     report : bool
@@ -140,10 +142,10 @@ def hexahedra(V, T, uvw, hexahedra=None, *, maximum=None, feature_facets=None, f
     V : numpy.ndarray
         float64 ``(l, 3)``: the points
     H : numpy.ndarray
-        int64 ``(k, 8)``: the hexahedra, each of eight rows of the points: around the bottom, and likewise
-        around the top, counterclockwise as seen from above. This is the order of VTK and meshio.
+        int64 ``(k, 8)``: the hexahedra, each of eight rows of the points: 0, 1, 2, 3 around the bottom, and
+        4, 5, 6, 7 above them, counterclockwise as seen from above. This is the order of VTK and meshio.
     report : dict, if `report` is True
-        the figures of `measure_hexahedra`; ``irregular_edges``, counts of interior edges by the number
+        the measurements of `measure_hexahedra`; ``irregular_edges``, counts of interior edges by the number
         of hexahedra around them, if that is not four; ``quadrilaterals`` on the boundary and on
         feature facets, ``(q, 4)``, with the numbers of their ``patches``, from 1, and the rows of
         ``feature_facets``, or -1; ``edges`` on feature edges and between patches, ``(e, 2)``, with the
@@ -186,8 +188,8 @@ def measure_hexahedra(V, H):
     dict
         ``least_scaled_jacobian`` and ``mean_scaled_jacobian``, which are 1 for cubes;
         ``number_by_tenths``, counts of hexahedra by their scaled Jacobian; and
-        ``nonpositive_hexahedra``, the rows whose edges at some corner have no positive determinant,
-        which is decided exactly
+        ``nonpositive_hexahedra``, the rows of hexahedra with a corner that is flat or turned inside
+        out, which is decided exactly
 
     Raises
     ------
