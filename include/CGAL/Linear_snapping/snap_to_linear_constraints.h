@@ -143,36 +143,36 @@ Linear_report snap_to_linear_constraints(const Linear_constraints<Coefficient>& 
 moves the values `x` to nearby values that satisfy \f$ C x = b \f$ exactly.
 
 On success, \f$ C x = b \f$ holds in exact arithmetic on the new values, which have the number type
-of the old ones. The function verifies this before it writes the values. They lie on a grid
-\f$ 2^e \mathbb{Z} \f$ that the number type can represent, and approximate the weighted
-least-squares optimum: the real solution \f$ x^* \f$ that minimizes
-\f$ \sum_j w_j (x^*_j - \bar x_j)^2 \f$.
+of the old ones. The function verifies this before it writes the values. They approximate the
+weighted least-squares optimum: the real solution \f$ x^* \f$ that minimizes
+\f$ \sum_j w_j (x^*_j - \bar x_j)^2 \f$. Values that depend on each other are multiples of one power
+of two or, if there is no such solution nearby, of a power of two for each value.
 
-The function does not change values that occur in no constraint, or that satisfy all constraints
-already. On failure it changes nothing. Constraints may be redundant. Coefficients may have any
-size: if 64-bit integers do not suffice, the function uses multiprecision integers.
+A value that occurs in no constraint does not change. If all constraints of an independent part of
+the system hold, the values of this part do not change. On failure, nothing changes. Constraints may
+be redundant. Coefficients may have any size: if 64-bit integers do not suffice, the function uses
+multiprecision integers.
 
-The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}, with sparse elimination, unit
-pivots first, and a least-squares target.
+The method follows Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 
-\tparam Constraints a `Linear_constraints`, an `Eigen::SparseMatrix`, or an expression of such
-        matrices, whose scalar is an integer type, `float`, `double` (each of which is a rational
-        number), `CGAL::Exact_integer`, or `CGAL::Exact_rational`; convert other numbers first
+\tparam Constraints a `Linear_constraints`, an `Eigen::SparseMatrix`, or an expression of sparse
+        matrices of Eigen. The type of the coefficients is an integer type, `float`, `double`,
+        `CGAL::Exact_integer`, or `CGAL::Exact_rational`. A floating point number stands for its
+        exact binary value: 0.1 is not one tenth.
 \tparam RightHandSide a random access range or an array of the same types of numbers
 \tparam Values a random access range or an array of `float` or `double`, for example
         `std::vector<double>` or `Eigen::VectorXd`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param c the matrix \f$ C \f$, with one row per constraint and one column per unknown
-\param b the right-hand side, one number per constraint. By default, it is the right-hand side of
-       the `Linear_constraints`, and zero for a matrix.
+\param b the right-hand side, one number per constraint
 \param x the values, one per unknown; changed in place
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
         below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{value_weights}
-    \cgalParamDescription{the weights \f$ w_j \f$: a large weight holds its value still}
+    \cgalParamDescription{the weights \f$ w_j \f$: a value with a large weight moves less}
     \cgalParamType{a random access range of positive numbers of type `double`, one per unknown;
                    ratios above \f$ 2^{400} \f$ count as \f$ 2^{400} \f$}
     \cgalParamDefault{all 1}
@@ -200,24 +200,24 @@ pivots first, and a least-squares target.
           that contradict each other;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `NOT_REPRESENTABLE`: there are rational solutions, but the function found no solution in
-          the number type near the values. It also refuses a solution that keeps nothing of the
-          values, such as all zeros: a part of the system would move by more than a tenth of the
-          size of its values (both root mean squares), and its `Linear_report::distance_ratio` would
-          exceed 1,000;
+          the number type near the values. A solution of an independent part is too far if the root
+          mean square of its changes exceeds a tenth of the root mean square of its values, and its
+          `Linear_report::distance_ratio` exceeds 1,000;
         - `TOO_LARGE`: constraints without a coefficient 1 or -1 link too many unknowns, see below.
 
 \par Search
 The function first looks for a solution on one grid for all unknowns that depend on each other. If
-it finds none, or one that is farther than ten times the optimum, it looks for a solution with a
-grid for each unknown, for up to 200 unknowns. For \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ near
+it finds none, or one whose `Linear_report::distance_ratio` exceeds 10, it looks for a solution with
+a grid for each unknown, for up to 200 unknowns. For \f$ x_0 + x_1 + x_2 = 2^{-60} \f$ near
 \f$ (1, -1, 0) \f$, for example, this search finds \f$ (1, -1, 2^{-60}) \f$. It can miss a solution,
-but rarely does (see \ref LSnappingGuarantees). If the result is farther than ten times the distance
-to be expected, `Linear_report::distance_ratio` and `Linear_report::message` say this.
+but rarely does (see \ref LSnappingGuarantees). If the `Linear_report::distance_ratio` of the result
+exceeds 10, `Linear_report::message` says this.
 
 \par Complexity
-Nearly linear in the number of nonzero coefficients if each constraint has a coefficient 1 or -1
-left when its turn comes, as in the systems of seamless parametrizations. The function solves parts
-that share no unknown separately, and factorizes equal parts with equal weights once. Triangular
+Nearly linear in the number of nonzero coefficients if the elimination finds a pivot 1 or -1 in each
+row and creates few entries, as in the systems of seamless parametrizations. A row with many
+entries, as in the first two systems of the table, costs more. The function solves independent parts
+of the system by themselves, and factorizes equal parts with equal weights once. Triangular
 systems of more than 200 unknowns, such as \f$ 8 f = a + 6 b + c \f$ for each vertex \f$ f \f$ of a
 refinement, take linear time too. All other constraints without a coefficient 1 or -1 take a dense
 integer lattice: quadratic memory and cubic time in the number of unknowns that they link. The work
@@ -226,13 +226,13 @@ is bounded: beyond about a minute the status is `TOO_LARGE`.
 | system | outcome |
 |---|---|
 | \f$ \sum_j x_j = 0 \f$ and all \f$ x_i = x_{i+1} \f$, 10,000 unknowns | a fraction of a second |
-| the same system, 100,000 unknowns | some ten seconds |
+| the same system, 100,000 unknowns | about ten seconds |
 | 250 constraints of six terms without a coefficient 1 or -1, 500 unknowns | solved |
 | 350 such constraints, 700 unknowns | `TOO_LARGE` |
 | one constraint with coefficients of 40 bits, 100 unknowns | half a second |
-| one such constraint, 300 or 1,000 unknowns | some ten seconds |
+| one such constraint, 300 or 1,000 unknowns | about ten seconds |
 | each of 1,600 unknowns in a square is the mean of its four neighbors | `NOT_REPRESENTABLE` |
-| a grid for each unknown, 200 unknowns, coefficients of 40 bits | at most some seconds |
+| a grid for each unknown, 200 unknowns, coefficients of 40 bits | at most a few seconds |
 */
 template <typename Constraints, typename RightHandSide, typename Values,
           typename NamedParameters = CGAL::parameters::Default_named_parameters

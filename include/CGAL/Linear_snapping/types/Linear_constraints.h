@@ -40,8 +40,8 @@ A sparse system \f$ C x = b \f$ of linear equations, filled in row by row:
 
 \code{.cpp}
 CGAL::Linear_snapping::Linear_constraints<> constraints(3); // three unknowns
-constraints.add_constraint({{0, 1}, {1, -1}});                // x0 - x1 = 0
-constraints.add_constraint({{1, 2}, {2, 1}}, 5);              // 2 x1 + x2 = 5
+constraints.add_constraint({{0, 1}, {1, -1}});              // x0 - x1 = 0
+constraints.add_constraint({{1, 3}, {2, 1}}, 5);            // 3 x1 + x2 = 5
 \endcode
 
 \tparam Coefficient the type of the coefficients: a built-in integer type, `float`, `double` (each
@@ -71,7 +71,7 @@ public:
   \pre all indices are below `number_of_unknowns()`
   \throws std::invalid_argument if `right_hand_side` is NaN or infinite
 
-  If an exception is thrown, also by memory allocation, the constraints are as before. A coefficient
+  If the function throws, the constraints are as before. A coefficient
   may be NaN or infinite; `snap_to_linear_constraints()` then refuses the system.
   */
   std::size_t add_constraint(const std::vector<Term>& terms,

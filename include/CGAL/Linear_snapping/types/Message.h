@@ -31,9 +31,9 @@ namespace Linear_snapping {
 /*!
 \ingroup PkgLinearSnappingRef
 
-What a report says: a place, a reason, and a remedy. It converts to `std::string`, in words of C++.
-Its parts serve programs whose users know other numbers of the elements, or other names of the
-parameters.
+The message of a report: a place, a reason, and a remedy. It converts to a `std::string` that uses
+the names of parameters in C++, and indices from 0. A program can replace these names and numbers by
+others, part by part.
 */
 class Message
 {

@@ -372,7 +372,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `rotational_symmetry`: by which angles charts are turned across cuts (`Rotational_symmetry`)
  * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)
  * - `symmetry_plane`: the plane by which a quad mesh is to be its own mirror image
- * - `target_edge_length`: the length on the surface of one unit of the coordinates (`double`)
+ * - `target_edge_length`: the wanted length of edges of quads, which is the length on the surface
+ *   of one unit of the coordinates (`double`)
  * - `target_number_of_hexahedra`: about how many hexahedra a mesh has (`std::size_t`)
  * - `target_number_of_quads`: about how many quads a quantization has (`std::size_t`)
  * - `target_vertex`: the vertex at which an isocurve ends
@@ -389,8 +390,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * `verbose`, `vertex_index_map`, `vertex_is_constrained_map`, `vertex_point_map`, `visitor`.
  * `maximum_number` is the number of things made or visited above which a function gives up.
  *
- * The reference of each function lists the names that it reads. It ignores the others. For a few
- * names, the list says that they do not compile without another name.
+ * The reference of each function lists the names that it reads. A call with another name does not
+ * compile. A few names must come with another name, as the list says.
  *
  * \note With both `using namespace CGAL` and `using namespace CGAL::Seamless_snapping`, the name
  *       `parameters` alone is ambiguous: write an alias as above.
