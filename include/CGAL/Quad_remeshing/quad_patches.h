@@ -36,6 +36,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -77,10 +78,10 @@ divides a quad mesh into rectangles of quads, for example to fit splines.
 The patches are the patches of `motorcycle_graph()` for the map in which each quad is a unit square.
 Curves start at irregular vertices, and at vertices at which borders and features end, meet, or
 turn. They run along edges, all at the same speed, and end at such vertices, at borders and
-features, and at curves that were there first. A T-junction is a vertex of one patch inside of a
-side of another. With `curve_stop_policy(Run_to_nodes())`, curves cross each other; then there are
-more patches, and T-junctions at features only. If a part between borders and features has no start
-of a curve, the function chooses a vertex there.
+features, and at a point that another curve has passed before. A T-junction is a vertex of one patch
+in the interior of a side of another. With `curve_stop_policy(Run_to_nodes())`, curves cross each
+other; then there are more patches, and T-junctions at features only. If a part of the surface
+between borders and features has no start of a curve, the function chooses a vertex there.
 
 The computation is combinatorial. At the end, the function checks that each patch is a rectangle of
 quads, and that each quad is in one patch.
@@ -107,8 +108,7 @@ quads, and that each quad is in one patch.
     \cgalParamDefault{`Stop_at_curves()`}
   \cgalParamNEnd
   \cgalParamNBegin{face_patch_map}
-    \cgalParamDescription{receives for each quad the number of its patch, from 0; also some, if the
-                          outcome is `INTERNAL_ERROR`}
+    \cgalParamDescription{receives for each quad the number of its patch, from 0}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%face_descriptor` as key type and
                    `std::size_t` as value type}
@@ -123,9 +123,13 @@ quads, and that each quad is in one patch.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the patches. If there are none, `Quad_patches::status` is `INVALID_ARGUMENT`, if there is no
-        face or if a face is no quad, or `NOT_MANIFOLD`, if the faces around a vertex form several
-        fans. The message names the face or vertex, in the order of iteration.
+\return the patches; converts to `true` if and only if there are some. Otherwise, nothing is
+        written, and `Quad_patches::status` is
+        - `INVALID_ARGUMENT`: there is no face, or a face is no quad;
+        - `NOT_MANIFOLD`: the faces around a vertex form several fans;
+        - `INTERNAL_ERROR`: the patches failed the check at the end.
+        .
+        The message names the face or vertex, in the order of iteration.
 
 \par Complexity
 Linear in the size of the mesh.
@@ -138,6 +142,7 @@ Quad_patches<QuadMesh> quad_patches(const QuadMesh& mesh,
 {
   using CGAL::parameters::get_parameter;
   using Edge = typename boost::graph_traits<QuadMesh>::edge_descriptor;
+  using Face = typename boost::graph_traits<QuadMesh>::face_descriptor;
   constexpr auto read =
     internal::named<CGAL::internal_np::curve_stop_policy, CGAL::internal_np::edge_is_constrained,
                     CGAL::internal_np::face_patch, CGAL::internal_np::vertex_index>;
@@ -153,16 +158,21 @@ Quad_patches<QuadMesh> quad_patches(const QuadMesh& mesh,
                 "curve_stop_policy must be Stop_at_curves or Run_to_nodes");
   Quad_patches<QuadMesh> result;
   std::optional<internal::Refusal> refusal = internal::defect_of_quads(mesh, plain_np);
+  std::vector<std::pair<Face, std::size_t> > patch_of_face; // written after all checks
   if(!refusal)
     refusal = internal::Patch_finder(mesh, features, may_cross).run(
-      result, [&](const auto f, const std::size_t patch) {
+      result, [&](const Face f, const std::size_t patch) {
         if constexpr(internal::is_given<decltype(patches)>)
-          put(patches, f, patch);
+          patch_of_face.emplace_back(f, patch);
       });
   if(refusal) {
     result.patches.clear();
     internal::refuse(result, *refusal);
+    return result;
   }
+  if constexpr(internal::is_given<decltype(patches)>)
+    for(const auto& [f, patch] : patch_of_face)
+      put(patches, f, patch);
   return result;
 }
 
