@@ -8,8 +8,10 @@ face `f` at a vertex `v` belongs to the halfedge `h` with `face(h) == f` and `ta
 border halfedges are neither read nor written.
 
 Functions that write coordinates also require a model of `WritablePropertyMap` or
-`ReadWritePropertyMap`, in which corners share no place in memory. A map with one value for each vertex
-cannot represent a parametrization with cuts.
+`ReadWritePropertyMap`. Corners at one vertex may share a place in memory if no cut runs between them; all
+other corners need their own. `approximate_seamless_parametrization()` of `Quad_remeshing` chooses the cuts, so
+there each corner needs its own place. A map with one value for each vertex cannot represent a parametrization
+with cuts.
 
 \cgalRefines{ReadablePropertyMap}
 

@@ -177,11 +177,11 @@ preimage of the grid of integers.
 The map must be exactly seamless with integer translations, singular edges must lie on lines of the
 grid and boundary facets in planes of it, and all cells must be positive in the domain, or all
 negative. Then the result is a mesh of hexahedra only that fills the tetrahedral mesh. The number of
-hexahedra is the volume of the map. An interior edge has four hexahedra around it unless it is
-singular in the map. The function checks all these conditions first and all these results last,
-exactly. On success they hold. All decisions in between are signs of determinants, which are exact,
-too; there is no tolerance, and nothing is repaired. Parts of the mesh that touch only in edges or
-vertices are apart in the result.
+hexahedra is the volume of the map. An inner edge has four hexahedra around it, unless it is
+singular in the map. The function checks the conditions first and the results last, exactly. All
+decisions in between are signs of determinants, which are exact, too. There is no tolerance, and
+nothing is repaired. Parts of the mesh that touch only in edges or vertices are separated in the
+result: their common vertices are doubled.
 
 The result is the same, to the bit, for any number of threads. Nothing is written unless the
 extraction succeeds.
@@ -253,8 +253,8 @@ extraction succeeds.
           singular edge is off the grid;
         - `TOO_LARGE`: there would be more hexahedra than `maximum_number`, or a coordinate is
           beyond \f$ 2^{46} \f$;
-        - `TOO_COARSE`: a hexahedron has a vertex twice, or two hexahedra have more in common than a
-          mesh allows;
+        - `TOO_COARSE`: a hexahedron has a vertex twice, or two hexahedra share more than one
+          quadrilateral, edge, or vertex;
         - `INTERNAL_ERROR`: the result failed the check at the end.
         .
         The message names the place and the remedy.

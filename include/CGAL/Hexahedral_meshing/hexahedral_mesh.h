@@ -240,16 +240,21 @@ private:
 /*!
 \ingroup PkgHexahedralMeshingRef
 
-makes a mesh of hexahedra of a tetrahedral mesh with a seamless map: makes the map an integer-grid
-map by `snap_volume_to_seamless()`, extracts hexahedra by `extract_hexahedra()`, and moves vertices
-so that hexahedra which are not positive in space become so.
+computes a hexahedral mesh from a tetrahedral mesh with a seamless map.
+
+The function makes the map an integer-grid map by `snap_volume_to_seamless()`, and extracts
+hexahedra by `extract_hexahedra()`. Then it moves vertices to make hexahedra positive in space,
+where possible.
 
 On success, all that `extract_hexahedra()` guarantees holds. The mesh has the boundary and the
 features of the input: quadrilaterals on the boundary and on feature facets, and edges on feature
-edges and where the boundary is sharp. Vertices move inside, along the boundary of the tetrahedra,
-along feature facets, and along the curves of these edges; vertices at the ends of curves stay.
-Whether all hexahedra are positive then is in `Hexahedral_meshing_report::shapes`. A corner of a
-hexahedron that is positive stays so.
+edges and on sharp edges of the boundary. Vertices move inside, along the boundary of the
+tetrahedra, along feature facets, and along the curves of these edges; vertices at the ends of
+curves stay. Moves keep positive corners positive. `Hexahedron_shapes::nonpositive_hexahedra` of
+`Hexahedral_meshing_report::shapes` lists the hexahedra that are not positive.
+
+Without `target_number_of_hexahedra`, the function does not scale the map, and refuses it unless it
+is near an integer-grid map. Most maps need the parameter.
 
 \tparam ConcurrencyTag as for `extract_hexahedra()`
 \tparam PointRange as for `extract_hexahedra()`
@@ -260,18 +265,17 @@ hexahedron that is positive stays so.
 \param points the points of the vertices of the tetrahedra
 \param tetrahedra the cells: the indices of four points each
 \param uvw_map the coordinates of each corner, seamless up to `tolerance`; it is only read
-\param mesh receives the result; as it was if the function fails
+\param mesh receives the result; it is as before if the function fails
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below, and `feature_facets`, `feature_edges`, `cell_neighbors`, `tolerance`,
        `number_of_untangling_iterations`, `visitor`, and `verbose` of `snap_volume_to_seamless()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{target_number_of_hexahedra}
-    \cgalParamDescription{about how many hexahedra there should be. The function scales the map to
-                          that volume first. If integers collapse cells there, it doubles the
-                          number, again and again.}
+    \cgalParamDescription{about how many hexahedra to make. The function scales the map to this
+                          volume first. If cells collapse, it doubles the number and tries again.}
     \cgalParamType{`std::size_t`}
-    \cgalParamDefault{0: the map is taken as it is, and has to be near an integer-grid map}
+    \cgalParamDefault{0: the function does not scale the map}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number}
     \cgalParamDescription{the number of hexahedra above which the function gives up}
@@ -280,18 +284,26 @@ hexahedron that is positive stays so.
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the largest number of rounds in which vertices move; 0 leaves all vertices
-                          where the map has them}
+                          in their places}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{20}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the outcome, the figures, and the shapes; converts to `true` if and only if the mesh was
-        written. The status of a failure is that of the step which failed.
+        written. Otherwise, the status is the status of the step that failed:
+        - a status of `snap_volume_to_seamless()`, for example `NOT_SEAMLESS`, `NOT_ALIGNED`, or,
+          if the integers are too far without `target_number_of_hexahedra`, `NOT_INTEGER`;
+        - a status of `extract_hexahedra()`: for example `NOT_POSITIVE` or `TOO_COARSE`, if cells
+          collapse or hexahedra meet twice for each number of hexahedra up to `maximum_number`;
+        - `TOO_LARGE`: there would be more hexahedra than `maximum_number`.
+        .
+        The message names the place and the remedy.
 
 \par Complexity
-That of the steps, for each scale that is tried; moves take time in the number of hexahedra near the
-ones that are not positive, and linear time to find these, in each round.
+The complexity of the steps, for each scale that the function tries. In addition, each round of
+moves takes linear time to find hexahedra that are not positive, and time in the number of
+hexahedra near these.
 
 \sa `extract_hexahedra()`
 \sa `snap_volume_to_seamless()`

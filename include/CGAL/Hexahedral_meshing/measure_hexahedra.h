@@ -50,8 +50,8 @@ Hexahedron_points points_of(const PointRange& points, const Hexahedron_indices& 
 /*!
 \ingroup PkgHexahedralMeshingRef
 
-measures the shapes of hexahedra, whether this package made them or not. Which corners are
-positive is decided exactly.
+measures the shapes of the hexahedra of any mesh. The function decides exactly whether corners are
+positive.
 
 \tparam PointRange a random access range of three-dimensional points, whose coordinates `p[0]`,
         `p[1]`, and `p[2]` convert to `double`
@@ -59,6 +59,8 @@ positive is decided exactly.
 
 \param points the points
 \param hexahedra the hexahedra: indices of eight points each, in the order of `extract_hexahedra()`
+
+\return the least and the mean scaled Jacobian, counts, and the hexahedra that are not positive
 
 \pre all points exist, and are finite
 

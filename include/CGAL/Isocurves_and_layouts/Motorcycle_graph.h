@@ -70,14 +70,15 @@ enum class Layout_node
 /*!
 \ingroup PkgIsocurvesAndLayoutsLayouts
 
-A partition of a surface into rectangles along isocurves of an exactly seamless parametrization, as
-`motorcycle_graph()` makes them. Nodes, arcs, half-arcs, and patches are numbered from 0.
+The result of `motorcycle_graph()`: a division of a surface into rectangles along isocurves of an
+exactly seamless parametrization. With the policy `Run_to_nodes`, it is a base complex. Nodes, arcs,
+half-arcs, and patches are numbered from 0.
 
 Each arc is a piece of an isocurve between two nodes, of a length in the domain that is known
 exactly. Arc `a` consists of the half-arcs `2 a` and `2 a + 1`, which run forward and back. Each has
 a patch at its left, unless it runs along the border with the surface at its right. A patch is a
-disc with four sides, each of one or more arcs, and opposite sides are of the same length. A node at
-which another curve ends may thus lie inside of a side.
+disk with four sides, each of one or more arcs, and opposite sides have the same length. A node at
+which another curve ends may thus lie in the interior of a side.
 
 If a border of the surface does not lie on isocurves, its pieces between nodes are arcs, too.
 The patches there are cut: they have no sides, and can have any number of cycles of half-arcs around
@@ -289,7 +290,7 @@ public:
     return result;
   }
 
-  /// returns the Euler characteristic of a patch: 1 if it is a disc, as all rectangles are.
+  /// returns the Euler characteristic of a patch: 1 if it is a disk, as all rectangles are.
   std::ptrdiff_t patch_euler_characteristic(const std::size_t p) const
   { return layout().patches[p].euler_characteristic; }
 
@@ -333,8 +334,8 @@ private:
 \ingroup PkgIsocurvesAndLayoutsLayouts
 
 The meeting of two curves of a layout, for a stop policy. The first curve comes to a point at which
-the second one has been before. If both come at the same time, the second one is the curve that sees
-the other one come from its left.
+the second curve has been before. If both come at the same time, the first curve is the one that has
+the other curve on its right.
 
 \tparam TriangleMesh the type of the mesh
 */
@@ -431,9 +432,10 @@ divides a surface into rectangles along isocurves of an exactly seamless paramet
 Curves start at the <em>nodes</em> in all directions along which a coordinate is constant, at the
 same time and with the same speed. Nodes are the cones, the vertices at which borders and features
 end, meet, or turn, given vertices, and one vertex in each part of the surface that has no other
-node. A curve ends at nodes, borders, features, and curves that were there first. If two curves come
-to a point at the same time, the curve that sees the other one come from its right ends. Two curves
-that meet head-on become one arc. With another `curve_stop_policy`, curves run on across each other.
+node. A curve ends at nodes, borders, features, and at a point that another curve has passed before.
+If two curves come to a point at the same time, the curve that has the other one on its right ends.
+Two curves that meet head-on become one arc. With another `curve_stop_policy`, curves run on across
+each other.
 
 \par Guarantee
 Let the parametrization be exactly seamless, let all faces be positive in the domain, and let
@@ -460,8 +462,9 @@ choice among several vertices with the same coordinates in a part without nodes.
 \param uv_map the coordinates of each corner: halfedge `h` stands for the corner of `face(h)` at
        `target(h)`. Border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below, and the parameters of `seam_transitions()`; `rotational_symmetry` must be of order 4,
-       2, or 1
+       below, and `tolerance`, `edge_is_cut_map`, `halfedge_rotation_map`, `rotational_symmetry`,
+       and `vertex_index_map` of `seam_transitions()`; `rotational_symmetry` must be of order 4, 2,
+       or 1
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}

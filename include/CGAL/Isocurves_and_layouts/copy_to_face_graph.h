@@ -181,10 +181,12 @@ faces are added in the order of nodes, arcs, and patches.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `false` if there is no layout, or if it has loops, several arcs between the same two nodes,
-        or a patch on both sides of an arc, which no valid polygon mesh has; or a patch that is not
-        a disc, which a border can have cut that does not lie on isocurves. Then nothing is added.
-        More nodes, by `vertex_is_constrained_map` of `motorcycle_graph()`, may help.
+\return `true` if the patches were added. `false`, and nothing is added, if
+        - there is no layout,
+        - there are loops, several arcs between the same two nodes, or a patch on both sides of an
+          arc: no valid polygon mesh has these. More nodes, by `vertex_is_constrained_map` of
+          `motorcycle_graph()`, may help;
+        - a patch is not a disk, because a border that does not lie on isocurves cuts it.
 
 \par Complexity
 Linear in the number of nodes, arcs, and patches, except for a logarithmic factor.

@@ -118,13 +118,17 @@ isocurve_face_path(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& curv
 /*!
 \ingroup PkgIsocurvesAndLayoutsConstraints
 
-returns the constraint that the isocurve from the start vertex of a curve meets its end vertex. If
-the status of the curve is `Isocurve_status::MISSED_TARGET`, it is to meet the missed vertex
-instead. To follow an isocurve on an approximately seamless parametrization, see the parameter
+returns a connection constraint between the first and the last vertex of a curve.
+
+If the status of the curve is `Isocurve_status::MISSED_TARGET`, the missed vertex takes the place of
+the last one. To follow an isocurve on an approximately seamless parametrization, see the parameter
 `decide_exactly` of `trace_isocurve()`.
 
 \param tmesh the mesh
 \param curve a curve with its points, traced on `tmesh`
+
+\return the constraint, for the named parameter `connection_constraints` of `snap_to_seamless()`
+
 \pre the curve has its points (`trace_isocurve()` writes them to its output
      iterator instead), starts at a vertex, and ends at a vertex or has missed one
 
@@ -190,7 +194,7 @@ cycle_along_isocurve(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& cu
 }
 
 /*!
-\ingroup PkgIsocurvesAndLayoutsTracing
+\ingroup PkgIsocurvesAndLayoutsConstraints
 
 A connection constraint whose isocurve does not arrive, as `intercepted_connections()` finds it.
 */
@@ -273,7 +277,7 @@ Message obstacle_of_connection(const Isocurve_tracer<TriangleMesh, D>& tracer,
 } // namespace internal
 
 /*!
-\ingroup PkgIsocurvesAndLayoutsTracing
+\ingroup PkgIsocurvesAndLayoutsConstraints
 
 finds the connection constraints that hold, but whose isocurve does not arrive at its end, because a
 singular vertex or the border is in its way. `snap_to_seamless()` makes constraints hold, but does

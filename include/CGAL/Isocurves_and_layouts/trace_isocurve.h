@@ -59,12 +59,15 @@ directions \f$ +u, -u, +v, -v \f$ of its chart; or, in lattice coordinates, of i
 (see `Isocurve_direction`).
 
 The curve crosses cuts by their exact transitions, passes exactly through vertices, and runs along
-edges that lie on it. It ends at the target, at a singular vertex, or at the border; if it closes;
-or if it reaches a bound. All decisions are exact comparisons. On an exactly seamless map there is
-only one other end: degenerate faces on which a coordinate is constant
-(`Isocurve_status::CONSTANT_ON_FACE`). A curve that is traced back from its end takes the same way.
+edges that lie on it. All decisions are exact comparisons. A curve that is traced back from its end
+takes the same way. The curve ends
+- at the target, at a singular vertex, or at the border;
+- if it closes;
+- if it reaches `maximum_number` or `maximum_length`;
+- at a degenerate face on which its coordinate is constant (`Isocurve_status::CONSTANT_ON_FACE`).
+
 If the map is not exactly seamless, nothing is traced, and the status is
-`Isocurve_status::NOT_EXACT`.
+`Isocurve_status::NOT_EXACT`. Rules for special cases:
 
 - At a regular vertex, a curve goes straight on.
 - At the border, a curve goes on if a border edge or a reentrant corner allows one straight
@@ -73,10 +76,9 @@ If the map is not exactly seamless, nothing is traced, and the status is
 - An edge without length in the domain is part of each isocurve through its two vertices. A curve
   that meets one of them may leave from the other. If a coordinate is constant on a face of such an
   edge, isocurves of this coordinate end there with `Isocurve_status::CONSTANT_ON_FACE`.
-- In flipped faces, a curve goes back, as a level set of a piecewise linear function, and may pass a
-  vertex several times. If more than two rays of an isocurve leave a vertex, the curve goes on along
-  the opposite ray, with as many rays on its left as on its right. So no two curves join, and the
-  way back is the same.
+- In a flipped face, a curve runs backward, so it may pass a vertex several times. More than two
+  rays of an isocurve can then leave a vertex. A curve goes on along the opposite ray, which has as
+  many rays on its left as on its right. So no two curves join, and the way back is the same.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -122,17 +124,17 @@ If the map is not exactly seamless, nothing is traced, and the status is
     \cgalParamDefault{unbounded; the length is not measured then}
   \cgalParamNEnd
   \cgalParamNBegin{decide_exactly}
-    \cgalParamDescription{`false` has all decisions made in floating point, as code would do that
-                          knows nothing of exact maps; then the parametrization need not be exactly
-                          seamless. If this goes wrong, the curve ends, and its status says why.
-                          Meant for demonstration.}
+    \cgalParamDescription{whether comparisons are exact. If `false`, they are in floating point, and
+                          the parametrization need not be exactly seamless. If this goes wrong, the
+                          curve ends, and its status says why. Meant for demonstration, and for the
+                          paths of connections.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{rotational_symmetry}
     \cgalParamDescription{the rotations that transitions may have. With N = 3 and 6, coordinates are
-                          lattice coordinates, and there are six directions. Not read by the
-                          functions of `Isocurve_tracer`, except for its constructor.}
+                          lattice coordinates, and there are six directions. For an
+                          `Isocurve_tracer`, pass it to the constructor.}
     \cgalParamType{`Rotational_symmetry<N>`}
     \cgalParamDefault{`Rotational_symmetry<4>()`}
   \cgalParamNEnd
@@ -145,10 +147,11 @@ If the map is not exactly seamless, nothing is traced, and the status is
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return how the curve ends. Its member `points` is empty: the points are written to `output`. If the
-        map is not exactly seamless (`is_seamless()`) and `decide_exactly` is not `false`, or if it
-        is not seamless up to the default tolerance of `seam_transitions()`, the status is
-        `Isocurve_status::NOT_EXACT`: snap the map first, with `snap_to_seamless()`.
+\return the curve, without points: these are written to `output`. Its `status` tells how it ends;
+        test it with `is_failure()`. If the map is not exactly seamless (`is_seamless()`) and
+        `decide_exactly` is not `false`, or if it is not seamless up to the default tolerance of
+        `seam_transitions()`, the status is `Isocurve_status::NOT_EXACT`: snap the map first, with
+        `snap_to_seamless()`.
 
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
@@ -156,7 +159,8 @@ If the map is not exactly seamless, nothing is traced, and the status is
 
 \par Complexity
 One pass over the mesh, and constant time for each edge crossed. To trace many curves, use
-`Isocurve_tracer`, which makes the pass once; it also lets cuts and rotations be given.
+`Isocurve_tracer`, which makes the pass once. It also takes `edge_is_cut_map` and
+`halfedge_rotation_map`.
 
 \sa `trace_all_separatrices()`
 \sa `snap_to_seamless()`
@@ -188,7 +192,8 @@ at a vertex that was given, at a bound, or at degenerate faces on which its coor
 if it is traced in floating point, possibly by a failure (see `Isocurve_status`).
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
-       `CGAL::Parallel_tag`, which does not compile unless TBB is linked
+       `CGAL::Parallel_tag`, which does not compile unless TBB is linked. With several threads, all
+       of them read the property map `vertex_is_constrained_map`.
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
 \tparam HalfedgeUVMap as for `trace_isocurve()`
@@ -198,8 +203,7 @@ if it is traced in floating point, possibly by a failure (see `Isocurve_status`)
 \param tmesh the mesh
 \param uv_map the coordinates of each corner
 \param output receives the curves in the order of the vertices of the mesh, counterclockwise around
-       each. The order does not depend on the number of threads. All threads read the property
-       map `vertex_is_constrained_map`.
+       each. The order does not depend on the number of threads.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" of
        `trace_isocurve()`
 
@@ -246,13 +250,19 @@ inline double rounded_component(const Uv& u, const std::size_t c)
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
 
-returns the position of a point on an edge: 0 at the source of `point.halfedge()`, 1 at its target.
-It is exact if the curve crosses the edge. If the curve starts on the edge and runs along it, the
-position is computed from the rounded coordinates of the start.
+returns the position of a point on an edge.
+
+The position is exact if the curve crosses the edge. If the curve starts on the edge and runs along
+it, the position comes from the rounded coordinates of the start.
+
+\tparam TriangleMesh the type of the mesh
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 
 \param point a point of a curve that was traced on `tmesh` with `uv_map`
 \param tmesh the mesh
 \param uv_map the coordinates of each corner
+
+\return 0 at the source of `point.halfedge()`, 1 at its target
 
 \pre `point.place()` is `Isocurve_place::EDGE`, and the ends of the edge differ in the domain
 
@@ -280,11 +290,16 @@ Exact_rational isocurve_parameter(const Isocurve_point<TriangleMesh>& point,
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
 
-returns the coordinates of a point in the chart of `face(point.halfedge())`, rounded.
+returns the coordinates of a point in the chart of `face(point.halfedge())`.
+
+\tparam TriangleMesh the type of the mesh
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 
 \param point a point of a curve that was traced on `tmesh` with `uv_map`
 \param tmesh the mesh
 \param uv_map the coordinates of each corner
+
+\return the coordinates, rounded to `double`
 
 \par Complexity
 Constant.
@@ -317,8 +332,10 @@ std::array<double, 2> isocurve_uv(const Isocurve_point<TriangleMesh>& point,
 /*!
 \ingroup PkgIsocurvesAndLayoutsTracing
 
-returns the place of a point in space, rounded.
+returns the place of a point in space.
 
+\tparam TriangleMesh the type of the mesh
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
 \tparam VertexPointMap a model of `ReadablePropertyMap` with
         `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a three-dimensional
         point as value type
@@ -327,6 +344,8 @@ returns the place of a point in space, rounded.
 \param tmesh the mesh
 \param uv_map the coordinates of each corner
 \param vertex_point_map the points of the vertices
+
+\return the point, rounded to the number type of the points
 
 \par Complexity
 Constant.

@@ -275,9 +275,8 @@ The mesh may have any genus, any number of components, and borders. The function
 cross field, whose singularities become the cones; it cuts the surface open along a graph through
 all cones, and computes the coordinates whose gradients are closest to the field in the sense of
 least squares. The transition across each cut edge is a rotation by a multiple of 90 degrees and a
-translation, up to rounding. `snap_to_seamless()` makes the transitions exact. That function takes
-the output of any other method equally well; this one does not compete with specialized methods in
-distortion.
+translation, up to rounding. `snap_to_seamless()` makes the transitions exact. Other methods have
+less distortion; `snap_to_seamless()` takes their output as well.
 
 If triangles are flipped in the least-squares solution, the function stiffens the map around them,
 and then untangles it \cgalCite{cgal:gkkprs-ffm-21}, without any change of cuts, cones, and
@@ -286,7 +285,7 @@ Alignment can make flips unavoidable, for example if the features around a regio
 rectangle without width. With `release_alignment`, the function gives up the alignment of some
 features there.
 
-All corners of a sector, that is around a vertex and between two cuts, receive the same coordinates
+All corners of a sector (the corners around a vertex between two cuts) receive the same coordinates,
 to the bit. The result depends on the arguments only.
 
 Degenerate faces are allowed: the function enlarges all edge lengths of their component by one small

@@ -183,7 +183,8 @@ with order 6, isocurves of \f$ u + v \f$ count as well.
 \param uv_map the coordinates of each corner: halfedge `h` stands for the corner of `face(h)` at
        `target(h)`. Border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
-       below, and the parameters of `seam_transitions()`
+       below, and `tolerance`, `edge_is_cut_map`, `halfedge_rotation_map`, `rotational_symmetry`,
+       and `vertex_index_map` of `seam_transitions()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
@@ -199,6 +200,9 @@ with order 6, isocurves of \f$ u + v \f$ count as well.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
+
+\return counts and distances; converts to `true` if and only if the map is an integer-grid map,
+        exactly. If the map is not seamless up to the tolerance, all other members are zero.
 
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
@@ -220,10 +224,20 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
 /*!
 \ingroup PkgQuadRemeshingQuads
 
-returns `true` if and only if a parametrization is an integer-grid map, exactly. Then whole cells of
-the grid cover the surface, and the extraction leaves out none of them. Parameters are the same as
-for `measure_integer_grid()`. Orientations are not checked, but flipped faces change the angles
-around their vertices.
+returns whether a parametrization is an integer-grid map, exactly. Then whole cells of the grid
+cover the surface, and the extraction leaves out none of them. Orientations are not checked, but
+flipped faces change the angles around their vertices.
+
+\tparam TriangleMesh as for `measure_integer_grid()`
+\tparam HalfedgeUVMap as for `measure_integer_grid()`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as for
+       `measure_integer_grid()`
+
+\return `true` if and only if the map is an integer-grid map
 
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 

@@ -201,7 +201,7 @@ such that
 \f$ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f$. Here
 \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates of the ends \f$ a, b \f$ in the
 charts of the two faces. In addition, one coordinate must be constant along each edge that is to be
-aligned, and given constraints must hold.
+aligned, and given constraints must hold. Faces can have any orientation.
 
 If constraints have contracted a cut edge to a point, any rotation satisfies the equation. For
 connections and cycles that cross such an edge, the function takes the rotation from the other edges
@@ -252,10 +252,18 @@ bool is_seamless(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 measures how far a parametrization is from being exactly seamless and aligned, and counts the faces
 that are flipped or degenerate in the domain.
 
-Template and named parameters are as for `is_seamless()`. The function ignores
-`connection_constraints`, `cycle_constraints`, and `corner_constraints`.
-
 \tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner, as for `is_seamless()`
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters", as for
+       `is_seamless()`. `connection_constraints`, `cycle_constraints`, and `corner_constraints` have
+       no effect.
+
+\return the largest violation of a seam and of an alignment, the extent of the coordinates, and
+        counts of inexact edges and of flipped and degenerate faces
 
 \pre all coordinates are finite
 

@@ -171,7 +171,8 @@ private:
 /*!
 \ingroup PkgSeamlessSnappingVerifying
 
-reads the transitions off a uv map.
+computes the transitions of a uv map: which edges are cuts, and the rotation and translation across
+each.
 
 If the two sides of an edge have the same coordinates, bit for bit, the edge is no cut. Otherwise,
 the function estimates the seams: it chooses the topology that explains the coordinates with the
@@ -182,10 +183,14 @@ smallest residuals.
 -# Any other edge takes the rotation of its branch, or the rotation that fits best. If corners have
    noise of their own, it takes the rotation that leaves no cone at an end whose other edges are
    decided. If no end decides, the edge is no cut if its gap is within the noise.
--# Two cones that only exist because of such choices cancel each other along undecided edges. So
-   each cone that remains is proved by residuals.
--# A chain of edges without rotation is no cut if the mean of its gaps is at most a small multiple
-   of the largest residual in its connected part of the seams. Its corners are <em>merged</em>.
+-# If two opposite cones exist only because of such choices, the function changes the rotations of
+   the undecided edges between them, and both cones vanish.
+-# A chain of edges without rotation is no cut if the mean of its gaps is not much larger than the
+   largest residual in its connected component of the seams. The two sides of such an edge are
+   <em>merged</em>: they count as equal.
+
+If you know the cuts and rotations, pass `edge_is_cut_map` and `halfedge_rotation_map`: then the
+function does not estimate.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`

@@ -66,27 +66,25 @@ After success, for each interior edge with ends \f$ a, b \f$,
 \f[ R (\mathbf{u}(b) - \mathbf{u}(a)) = \mathbf{u}'(b) - \mathbf{u}'(a) \f]
 holds in exact arithmetic. Here \f$ \mathbf{u} \f$ and \f$ \mathbf{u}' \f$ are the coordinates in
 the charts of the two faces, and \f$ R \f$ is the rotation by a multiple of 90 degrees that fits the
-input. If the transition is the identity, both sides have the same coordinates, bit for bit. All
-coordinates remain ordinary floating point numbers.
+input best. If the transition is the identity, both sides have the same coordinates, bit for bit.
+All coordinates remain ordinary floating point numbers.
 
 The mesh may have any number of components of any genus, with or without border. Charts may be
-arranged in any way. The function reads cuts, rotations, and singular vertices off the coordinates,
-unless you pass them (see `seam_transitions()`).
+arranged in any way. The function computes cuts, rotations, and singular vertices from the
+coordinates, unless you pass them (see `seam_transitions()`).
 
 The result approximates the least-squares optimum: the exactly seamless parametrization that
 minimizes the sum of squared changes of the sectors at cut vertices (see \ref SSnappingBackground).
-A parametrization that is exactly seamless already stays as it is. Otherwise, corners without
-constraints keep their bits, unless a face would lose its orientation. (If corners in one place
-differ in the signs of their zeros, these may change.) The function verifies the result exactly
-before it writes it; on failure nothing changes.
+A parametrization that is exactly seamless already does not change. Otherwise, corners without
+constraints change only to prevent a flipped face. (0 and -0 at one vertex may become equal.) The
+function verifies the result exactly before it writes it; on failure, the map is as before.
 
-Faces of positive orientation keep it if an exactly seamless parametrization near by allows this.
-Orientations are decided exactly. If a face turns over, the function moves one of its vertices, with
-all its sectors, into the kernel of its 1-ring. If this is not possible, it searches for the closest
-exact solution that keeps the face. `Snapping_report` counts such faces, and lists the faces that
-the function could not save.
+The function keeps positive faces positive where it can, and decides this exactly. If a face would
+be flipped, the function moves one of its vertices, with all its sectors, into the kernel of its
+1-ring. If this is not possible, it searches for the closest exact solution that keeps the face.
+`Snapping_report` counts such faces, and lists the faces that the function could not save.
 
-The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
+The method follows Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `EdgeListGraph`, and `VertexListGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`
@@ -115,17 +113,18 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_cut_map}
-    \cgalParamDescription{the cut edges, if you know them. The corners along all other edges are
-                          merged.}
+    \cgalParamDescription{the cut edges, if you know them. The two sides of all other edges get
+                          equal coordinates.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
     \cgalParamDefault{read off the uv map}
   \cgalParamNEnd
   \cgalParamNBegin{halfedge_rotation_map}
-    \cgalParamDescription{the number of counterclockwise turns by \f$ 360 / N \f$ degrees, quarter
-                          turns by default, of the transition across each halfedge, if you know
-                          it; modulo \f$ N \f$, and inverse for opposite halfedges}
+    \cgalParamDescription{the rotation of the transition across each halfedge, if you know it: the
+                          number of counterclockwise turns by \f$ 360 / N \f$ degrees, which are
+                          quarter turns by default. Numbers count modulo \f$ N \f$; opposite
+                          halfedges have inverse numbers.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
                    integer type as value type}
@@ -172,9 +171,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
   \cgalParamNEnd
   \cgalParamNBegin{repair_flips}
     \cgalParamDescription{whether to make faces positive that are flipped or degenerate in the
-                          input, if this is possible near by and costs no other face its
-                          orientation. This may also change a parametrization that is seamless
-                          already.}
+                          input, if this is possible nearby and flips no other face. This may also
+                          change a parametrization that is seamless already.}
     \cgalParamType{Boolean, or `Flip_repair`}
     \cgalParamDefault{`false`}
     \cgalParamExtra{With `Flip_repair::UNTANGLE`, the function untangles the remaining faces under
@@ -186,8 +184,8 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
   \cgalParamNBegin{number_of_untangling_iterations}
     \cgalParamDescription{bounds the work of repairs: the largest number of Newton iterations over
                           all faces. Quadratic programs count as iterations, too. With 0, only
-                          single vertices move. Without `repair_flips` and `integer_grid`, this
-                          parameter does not compile.}
+                          single vertices move. A call with this parameter does not compile, unless
+                          `repair_flips` or `integer_grid` is passed, too.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{400}
     \cgalParamExtra{`Flip_repair` says how many iterations were needed in tests.}
@@ -199,7 +197,7 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
                           nearest integers are farther away than noise, the function also tries
                           integers one after another, with all vertices following, and other places
                           of the charts (but not with corner constraints, or a rounding tolerance of
-                          0). It takes the result with the fewest faces turned over, and among such
+                          0). It returns the result with the fewest flipped faces, and among such
                           results the one that changes edges least.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
@@ -212,11 +210,12 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
   \cgalParamNBegin{rounding_tolerance}
     \cgalParamDescription{the largest distance of a translation, a cone, or an aligned edge from its
                           integer. A larger distance is an error, because the map is then probably
-                          not meant to be an integer-grid map. If it is, pass for example 10.
-                          Without `integer_grid`, this parameter does not compile.}
+                          not meant to be an integer-grid map. For a map of any scale, pass a large
+                          value, such as 10 units of the grid. A call with this parameter does not
+                          compile, unless `integer_grid` is passed, too.}
     \cgalParamType{`double`}
     \cgalParamDefault{0.01}
-    \cgalParamExtra{Large roundings may turn faces over: see `Snapping_report::lost_faces`. The end
+    \cgalParamExtra{Large roundings may flip faces: see `Snapping_report::lost_faces`. The end
                     of a slit moves along its line as far as necessary.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
@@ -258,7 +257,7 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
           a corner has no face, a tolerance is negative, the scale is not positive, or the given
           indices of vertices are not unique or out of range;
         - `INCONSISTENT`: the constraints contradict each other; the message names them;
-        - `NOT_REPRESENTABLE`: the number type holds no solution near by. This can happen if a
+        - `NOT_REPRESENTABLE`: the number type holds no nearby solution. This can happen if a
           corner constraint has a right-hand side other than 0, if coordinates would exceed the
           largest number, or, with `integer_grid`, if a coordinate is beyond \f$ 2^{46} \f$;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
@@ -269,8 +268,9 @@ The method is that of Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         The message names the place and the remedy.
 
 \par Complexity
-Linear in the number of faces, with a constant of a few passes over the edges. In addition, sparse
-elimination of a system whose size is the number of nodes and branches of the cuts.
+A few passes over the edges and faces, and the elimination of a sparse system. The size of the
+system depends only on the numbers of nodes and branches of the cuts;
+`snap_to_linear_constraints()` has the complexity of the elimination.
 
 \sa `is_seamless()`
 \sa `seam_transitions()`

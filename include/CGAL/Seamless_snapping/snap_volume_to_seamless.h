@@ -58,9 +58,9 @@ facet equally well, the facets around its edges decide.
 
 The result approximates the least-squares optimum: the exact parametrization that minimizes the sum
 of squared changes of the sectors (see \ref SSnappingVolumesMethod). A parametrization that is exact
-already stays as it is. Otherwise, corners at vertices without constraints keep their bits, unless a
-cell would lose its orientation. The function verifies the result exactly before it writes it; on
-failure nothing changes.
+already does not change. Otherwise, corners at vertices without constraints change only to prevent
+a flipped cell. The function verifies the result exactly before it writes it; on failure, the map is
+as before.
 
 \tparam TetrahedronRange a range with a member function `size()`, whose elements are ranges of 4
         vertex indices, also with `size()`: `std::vector<std::array<int, 4> >`, for instance
@@ -70,10 +70,7 @@ failure nothing changes.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tetrahedra the cells: integers from 0 to \f$ 2^{31} - 2 \f$ for the vertices, in either
-       orientation. The orientation of most cells of a component counts, or that of the first cell
-       if there is no majority. If a component is not orientable, each cell keeps its own. A cell
-       is flipped if its orientation in the domain differs from that of most cells of its component:
-       a component that is mirrored as a whole has no flips.
+       orientation; see below
 \param uvw_map the coordinates of each corner: key `4 * i + k` is vertex `k` of cell `i`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
         below
@@ -131,8 +128,9 @@ failure nothing changes.
   \cgalParamNBegin{rounding_tolerance}
     \cgalParamDescription{the largest distance of a translation or a constant coordinate from its
                           integer. A larger distance is an error, because the map is then probably
-                          not meant to be an integer-grid map. If it is, pass for example 10.
-                          Without `integer_grid`, this parameter does not compile.}
+                          not meant to be an integer-grid map. For a map of any scale, pass a large
+                          value, such as 10 units of the grid. A call with this parameter does not
+                          compile, unless `integer_grid` is passed, too.}
     \cgalParamType{`double`}
     \cgalParamDefault{0.01}
     \cgalParamExtra{The integers are the nearest, not the best. On a coarse grid, parts that are
@@ -146,15 +144,15 @@ failure nothing changes.
                           and of their neighbors, and no cell loses its orientation on the way.
                           `Flip_repair::UNTANGLE` also moves more and more vertices around the
                           remaining flips.}
-    \cgalParamType{`Flip_repair` or Boolean}
-    \cgalParamDefault{`Flip_repair::NONE`}
+    \cgalParamType{Boolean, or `Flip_repair`}
+    \cgalParamDefault{`false`}
     \cgalParamExtra{Repairs never cost a cell its orientation. If flips remain, the status is
                     `Outcome::FLIPS_REMAIN`, with `integer_grid` also without repairs.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_untangling_iterations}
     \cgalParamDescription{bounds the work of repairs: the largest number of passes over the vertices
-                          around the cells. Without `repair_flips` and `integer_grid`, this
-                          parameter does not compile.}
+                          around the cells. A call with this parameter does not compile, unless
+                          `repair_flips` or `integer_grid` is passed, too.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{400}
   \cgalParamNEnd
@@ -203,6 +201,12 @@ failure nothing changes.
         The message names the place and the remedy.
 
 \par Orientation
+Cells can list their vertices in either orientation. The orientation of most cells of a component
+counts, or the orientation of the first cell if there is no majority. If a component is not
+orientable, each cell keeps its own. A cell is flipped if its orientation in the domain differs from
+the orientation of most cells of its component. A component that is mirrored as a whole has no
+flips.
+
 Cells keep their orientation if a move of one of their vertices allows it. Vertices of more than
 2,000 cells do not move for this. `Snapping_report::lost_faces` lists the cells that had the
 orientation of most cells, and lost it. Cells may be flipped or degenerate in the input.
@@ -210,9 +214,9 @@ orientation of most cells, and lost it. Cells may be flipped or degenerate in th
 vertex.
 
 \par Charts
-If there are more than 32 charts beside the first ones of the components, for example one for each
-hexahedron, the function joins them to keep the system small. The result then only comes close to
-the least-squares optimum.
+If components have many charts, for example one for each hexahedron, the function joins these charts
+to keep the system small: if there are more than 32 charts, not counting one for each component. The
+result then only comes close to the least-squares optimum.
 
 \par Complexity
 Linear in the number of cells, with a constant of a few passes over the facets. In addition, sparse

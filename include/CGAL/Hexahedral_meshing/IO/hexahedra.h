@@ -29,18 +29,18 @@ namespace IO {
 /*!
 \ingroup PkgHexahedralMeshingIO
 
-\brief writes hexahedra, quadrilaterals with the numbers of their patches, and edges with the
-numbers of their curves, as references, to a stream or a file in the MEDIT format (`.mesh`), which
-Gmsh reads as well.
+\brief writes a hexahedral mesh to a stream or a file in the MEDIT format (`.mesh`).
 
-Numbers have as many digits as it takes to read them back bit for bit.
+The references of quadrilaterals are the numbers of their patches, and the references of edges are
+the numbers of their curves. Gmsh reads such files, too. Numbers have as many digits as it takes to
+read them back bit for bit. This package has no reader for hexahedra.
 
 \tparam Target a class derived from `std::ostream`, or one that converts to `std::string`
 
 \param output the output stream, or the name of the file
 \param mesh the mesh
 
-\returns an object that converts to `true` if the mesh was written, and that holds the reason
+\return an object that converts to `true` if the mesh was written, and that holds the reason
          otherwise: a number is not finite, or the file cannot be written
 
 \pre the vertices of all hexahedra, quadrilaterals, and edges exist
@@ -59,10 +59,21 @@ File_status write_MEDIT(Target&& output, const Hexahedral_mesh& mesh)
 /*!
 \ingroup PkgHexahedralMeshingIO
 
-\brief writes hexahedra, quadrilaterals, and edges to a stream or a file in the legacy format of
-VTK (`.vtk`), as text. The numbers of patches and curves are the data `reference` of cells.
+\brief writes a hexahedral mesh to a stream or a file in the legacy format of VTK (`.vtk`), as text.
 
-Parameters, result, precondition, and complexity are as for `write_MEDIT()`.
+The numbers of patches and curves are the data `reference` of cells.
+
+\tparam Target a class derived from `std::ostream`, or one that converts to `std::string`
+
+\param output the output stream, or the name of the file
+\param mesh the mesh
+
+\return the same as `write_MEDIT()`
+
+\pre the vertices of all hexahedra, quadrilaterals, and edges exist
+
+\par Complexity
+Linear in the size of the mesh.
 */
 template <typename Target>
 File_status write_VTK(Target&& output, const Hexahedral_mesh& mesh)
@@ -75,11 +86,20 @@ File_status write_VTK(Target&& output, const Hexahedral_mesh& mesh)
 /*!
 \ingroup PkgHexahedralMeshingIO
 
-\brief writes the hexahedra to a stream or a file in the format of OpenVolumeMesh (`.ovm`), as text:
-with all edges and faces. The properties `patch` of faces and `curve` of edges are the numbers of
-patches and curves, or zero.
+\brief writes a hexahedral mesh to a stream or a file in the format of OpenVolumeMesh (`.ovm`), as
+text.
 
-Parameters, result, and precondition are as for `write_MEDIT()`.
+The file has all edges and faces. The properties `patch` of faces and `curve` of edges are the
+numbers of patches and curves, or zero.
+
+\tparam Target a class derived from `std::ostream`, or one that converts to `std::string`
+
+\param output the output stream, or the name of the file
+\param mesh the mesh
+
+\return the same as `write_MEDIT()`
+
+\pre the vertices of all hexahedra, quadrilaterals, and edges exist
 
 \par Complexity
 That of sorting the edges and faces.

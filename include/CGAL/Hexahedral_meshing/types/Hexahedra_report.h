@@ -42,7 +42,7 @@ struct Hexahedra_report
   std::size_t number_of_quadrilaterals = 0; ///< on the boundary and inside
   /// quadrilaterals that belong to a single hexahedron: the area of the boundary of the map
   std::size_t number_of_boundary_quadrilaterals = 0;
-  /// pairs of vertices that more than one edge joins are counted as often as there are further ones
+  /// the number of edges, less the number of pairs of vertices that an edge joins
   std::size_t number_of_double_edges = 0;
   /// the number of interior edges by the number of hexahedra around them, if that is not four
   std::map<int, std::size_t> irregular_edges;

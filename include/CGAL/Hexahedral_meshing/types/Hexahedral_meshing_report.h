@@ -29,15 +29,15 @@ namespace Hexahedral_meshing {
 /*!
 \ingroup PkgHexahedralMeshingRef
 
-The report of `hexahedral_mesh()`: that of the extraction, how the integers were found, and the
-shapes. Converts to `bool`: `true` if and only if the mesh was written.
+The report of `hexahedral_mesh()`: the report of the extraction, how the integers were found, and
+the shapes. Converts to `bool`: `true` if and only if the mesh was written.
 */
 struct Hexahedral_meshing_report
   : public Hexahedra_report
 {
   double grid_scale = 1; ///< the factor of the coordinates
-  std::size_t number_of_attempts = 0; ///< scales that were tried
-  /// why the first scale did not serve; empty if it did
+  std::size_t number_of_attempts = 0; ///< the number of scales that the function tried
+  /// why the first scale failed; empty if it did not
   Message reason_for_more;
   Hexahedron_shapes shapes_before; ///< of the hexahedra as the map has them
   Hexahedron_shapes shapes;        ///< of the result

@@ -29,9 +29,9 @@ namespace Hexahedral_meshing {
 /*!
 \ingroup PkgHexahedralMeshingRef
 
-The result of `measure_hexahedra()`. The scaled Jacobian of a hexahedron is the least determinant of
-three unit vectors: along its edges at each of its eight corners, and along its three axes. It is 1
-for cubes and boxes.
+The result of `measure_hexahedra()`. The scaled Jacobian of a hexahedron is the least of nine
+determinants of three unit vectors: along the edges at each of the eight corners, and along the
+three axes. It is 1 for cubes and boxes.
 */
 struct Hexahedron_shapes
 {

@@ -42,14 +42,14 @@ parts of the map. No positive face loses its orientation for the sake of another
 The named parameter `number_of_untangling_iterations` bounds the search, by the number of Newton
 iterations over all faces. A long factorization counts as several iterations. Maps of common
 producers, and small maps that were tangled at random, needed at most 92 iterations in tests. If
-faces stay flipped, the status is `Outcome::FLIPS_REMAIN`, and the result is exact nevertheless. The
-function ignores faces that have no area for any coordinates, because of seams and alignments.
+faces stay flipped, the status is `Outcome::FLIPS_REMAIN`, and the result is exact nevertheless.
+Some faces have area 0 in every map that satisfies the constraints; the function ignores them.
 */
 enum class Flip_repair
 {
   NONE,    ///< Flips of the input stay.
   /// Single vertices move, vertices without constraints move into the middle of their neighbors,
-  /// and a quadratic program looks for solutions near by.
+  /// and a quadratic program looks for nearby solutions.
   NEAR_BY,
   UNTANGLE ///< As `NEAR_BY`; the map around remaining flips changes as much as necessary.
 };

@@ -39,7 +39,8 @@ namespace Seamless_snapping {
 A connection constraint (Eq.\ (6) of \cgalCite{cgal:mc-ecstsp-19}): an isocurve of corner `a` leads
 along a path to corner `b`. In other words, \f$ g(\mathbf{u}(a)) \f$ and \f$ \mathbf{u}(b) \f$ agree
 in one component, with the composition \f$ g \f$ of the transitions across the halfedges of the
-path.
+path. The member `component` names the coordinate of corner `a` that is constant on the isocurve;
+\f$ g \f$ may turn it into the other coordinate of corner `b`.
 
 A path is a sequence of halfedges: `h` leads from `face(h)` to `face(opposite(h))`. The path of a
 connection begins in `face(a)` and ends in `face(b)`; it is empty if these are the same.
