@@ -1,15 +1,16 @@
 # Hexahedra in a MEDIT file, cut open: the half behind a plane through the middle, colored by shape
-# where the cut shows it.
+# where the cut shows it, with the edges inside around which there are other than four hexahedra.
 #
 #   hexahedra.py IN.mesh OUT.png
 
 import sys
 
 import numpy as np
-from matplotlib.collections import PolyCollection
-from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import LinearSegmentedColormap, Normalize
 
-from style import plt
+from style import VERMILLION, plt
 
 FACETS = [[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]]
 NEIGHBORS = [[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]]
@@ -52,6 +53,16 @@ def sides(hexahedra, chosen):
     return result
 
 
+def irregular_edges(hexahedra, boundary):
+    """The edges inside with other than four hexahedra."""
+    count = {}
+    for h in hexahedra:
+        for edge in {tuple(sorted((h[i], h[j]))) for i in range(8) for j in NEIGHBORS[i]}:
+            count[edge] = count.get(edge, 0) + 1
+    outside = {tuple(sorted((quad[i - 1], quad[i]))) for _, quad in boundary.values() for i in range(4)}
+    return [edge for edge, n in count.items() if n != 4 and edge not in outside]
+
+
 def main():
     points, hexahedra = read(sys.argv[1])
     shapes = scaled_jacobians(points, hexahedra)
@@ -80,7 +91,11 @@ def main():
     figure, axes = plt.subplots(figsize=(6, 5))
     axes.add_collection(PolyCollection([polygons[k] for k in order], edgecolors="#334455",
                                        facecolors=[colors[k] for k in order], linewidths=0.5))
+    lines = [points[list(edge)] @ frame.T for edge in irregular_edges(hexahedra, boundary)]
+    axes.add_collection(LineCollection(lines, colors=VERMILLION, linewidths=2.5))
     axes.autoscale()
+    bar = figure.colorbar(ScalarMappable(Normalize(0, 1), SHAPES), ax=axes, shrink=0.6, pad=0.02)
+    bar.set_label("scaled Jacobian")
     axes.set_aspect("equal")
     axes.axis("off")
     figure.savefig(sys.argv[2], dpi=150, bbox_inches="tight", pad_inches=0.05)

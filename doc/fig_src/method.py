@@ -179,7 +179,7 @@ def equation(out, small_out):
         panel(
             figure,
             0,
-            "Target",
+            "1. Least-squares solution",
             "The nearest solution in real numbers, by least squares, "
             "in floating point.\nIt is not exact, and need not be.",
         )
@@ -188,9 +188,9 @@ def equation(out, small_out):
         panel(
             figure,
             1,
-            "Evaluation",
-            "The free unknown of the target is rounded to a grid. "
-            "The other one follows\nin integers, and is a point of the grid as well.",
+            "2. Rounding to a grid",
+            "One unknown is rounded to a multiple of a power of two. "
+            "The other one\nfollows in integers, and is such a multiple as well.",
         )
     )
     save(figure, out)
