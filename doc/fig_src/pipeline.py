@@ -17,7 +17,7 @@ STEPS = (
     (FLOATING, "Target", "the least-squares\nsolution"),
     (EXACT, "Evaluation", "rounded to a grid,\nback-substitution\nin integers"),
     (EXACT, "Expansion", "the sectors between\nthe nodes follow"),
-    (MESH, "Orientation", "faces turned over\nare repaired"),
+    (MESH, "Orientation", "flipped faces\nare repaired"),
     (EXACT, "Verification", "of all equations, in\nexact arithmetic"),
     (MESH, "Writing", "all or nothing"),
 )

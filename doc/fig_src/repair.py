@@ -1,4 +1,4 @@
-# How a face that snapping has turned over is repaired: a vertex moves into the kernel of its ring.
+# How a face that snapping has flipped is repaired: a vertex moves into the kernel of its ring.
 #
 #   repair.py OUT.png
 
@@ -62,7 +62,7 @@ def main(out):
     moved = SNAPPED_END + (-0.12, 0.42)
     texts = (
         ("Given", "Thin faces between a vertex\nand a cut."),
-        ("Snapped", "A vertex of the cut has moved:\ntwo faces are turned over."),
+        ("Snapped", "A vertex of the cut has moved:\ntwo faces are flipped."),
         ("Repaired", "The vertex moves into the kernel\nof its ring, in whole grid steps."),
     )
     for i, (title, text) in enumerate(texts):
@@ -112,7 +112,7 @@ def main(out):
     ]
     figure.legend(
         handles,
-        ["cut", "face turned over"],
+        ["cut", "flipped face"],
         ncol=2,
         frameon=False,
         loc="upper right",

@@ -56,7 +56,7 @@ def main(mesh_name, out):
             figure,
             3,
             "Orientation",
-            "If a face has turned over, a vertex moves\ninto the kernel of its ring. Then all\n"
+            "If a face is flipped, a vertex moves\ninto the kernel of its ring. Then all\n"
             "equations are verified.",
         )
     )

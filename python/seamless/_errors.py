@@ -54,7 +54,7 @@ _PLACE = re.compile(
 
 
 class Error(ValueError):
-    """What was asked for can't be done; nothing of the caller's has changed.
+    """A call has failed; your arrays are as before.
 
     Attributes
     ----------

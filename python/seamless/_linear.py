@@ -11,7 +11,7 @@ from ._errors import Error
 
 
 def snap_linear(A, b, x, *, weights=None, progress=None, report=False):
-    """Move numbers to numbers near by that solve a sparse system of linear equations exactly.
+    """Move numbers to nearby numbers that solve a sparse system of linear equations exactly.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def snap_linear(A, b, x, *, weights=None, progress=None, report=False):
     Error
         if an argument is not as above; if there is no solution, in which case
         ``report['contradicting_rows']`` of the error are equations that contradict each other; or if
-        none is found near by
+        the search finds none nearby
 
     Examples
     --------

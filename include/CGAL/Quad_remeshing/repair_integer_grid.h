@@ -129,7 +129,7 @@ The function calls `snap_to_seamless()` and has its guarantees. It changes the m
     \cgalParamDefault{`Flip_repair::NEAR_BY`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_untangling_iterations}
-    \cgalParamDescription{the bound of the search, as of `snap_to_seamless()`}
+    \cgalParamDescription{the bound of the search, as for `snap_to_seamless()`}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{400}
   \cgalParamNEnd

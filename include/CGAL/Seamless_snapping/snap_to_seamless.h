@@ -163,9 +163,9 @@ The method follows Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{tolerance}
-    \cgalParamDescription{the largest violation of a transition or alignment that is taken for
-                          inaccuracy, relative to the extent of the coordinates. A larger one is an
-                          error.}
+    \cgalParamDescription{the largest violation of a transition or alignment in the input that
+                          counts as noise, relative to the extent of the coordinates. A larger
+                          violation is an error.}
     \cgalParamType{`double`}
     \cgalParamDefault{1e-4}
   \cgalParamNEnd

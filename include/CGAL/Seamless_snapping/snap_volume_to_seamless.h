@@ -104,9 +104,9 @@ as before.
     \cgalParamDefault{found by common vertices}
   \cgalParamNEnd
   \cgalParamNBegin{tolerance}
-    \cgalParamDescription{the largest violation of a transition or alignment that is taken for
-                          inaccuracy, relative to the extent of the coordinates. A larger one is an
-                          error.}
+    \cgalParamDescription{the largest violation of a transition or alignment in the input that
+                          counts as noise, relative to the extent of the coordinates. A larger
+                          violation is an error.}
     \cgalParamType{`double`}
     \cgalParamDefault{1e-4}
   \cgalParamNEnd
@@ -116,7 +116,7 @@ as before.
                           singular edges become integers that agree with each other. If the nearest
                           integers are farther away than noise, the function moves charts if that
                           changes edges less (not with a rounding tolerance of 0), spreads the
-                          change over the volume, and repairs cells that turned over.}
+                          change over the volume, and repairs cells that became flipped.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -134,14 +134,14 @@ as before.
     \cgalParamType{`double`}
     \cgalParamDefault{0.01}
     \cgalParamExtra{The integers are the nearest, not the best. On a coarse grid, parts that are
-                    narrower than a unit collapse, and their cells lose their orientation: see
+                    narrower than a unit collapse, and their cells become flipped: see
                     `Snapping_report::lost_faces`.}
   \cgalParamNEnd
   \cgalParamNBegin{repair_flips}
     \cgalParamDescription{whether to give flipped and degenerate cells the orientation of most
                           cells. Their vertices move; transitions, alignments, and integers stay.
                           `Flip_repair::NEAR_BY`, or `true`, moves single vertices of these cells
-                          and of their neighbors, and no cell loses its orientation on the way.
+                          and of their neighbors, and no cell becomes flipped on the way.
                           `Flip_repair::UNTANGLE` also moves more and more vertices around the
                           remaining flips.}
     \cgalParamType{Boolean, or `Flip_repair`}
@@ -180,13 +180,13 @@ as before.
           vertices and no neighbors were given;
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
         - `NOT_SEAMLESS`: no rotation fits the two sides of a facet up to the tolerance; or an exact
-          map would differ from the input by more than ten times its inaccuracy (or a tenth of the
+          map would differ from the input by more than ten times its noise (or a tenth of the
           tolerance, if that is more), which is a sign of a wrong rotation;
         - `NOT_ALIGNED`: no coordinate is constant on a facet of the boundary, or on a feature, up
           to the tolerance;
         - `NOT_INTEGER`: a rounding to an integer-grid map is larger than the tolerance; or a
-          singular edge has no coordinate axis; or so much collapses at the integers near by that
-          most cells lose their orientation, or the grid can't be told from the coordinates;
+          singular edge has no coordinate axis; or so much collapses at the nearest integers that
+          most cells become flipped, or the grid can't be told from the coordinates;
         - `INVALID_ARGUMENT`: there is no cell or more than \f$ 2^{27} \f$, a cell has a vertex
           twice or not 4 of them, a feature is no facet or edge of a cell, the neighbors don't fit
           the cells or are listed in different orientations, a tolerance is negative, or the scale

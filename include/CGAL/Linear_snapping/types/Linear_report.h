@@ -58,7 +58,7 @@ struct Linear_solver_figures
 
 The report of `snap_to_linear_constraints()`: the outcome, the place and remedy of a failure, and
 how far the values moved. It converts to `true` if and only if all constraints hold exactly in the
-caller's values.
+values of the caller.
 
 Lengths are in the units of the values; divide by `extent` for relative ones. Figures of a step that
 was not reached are zero.

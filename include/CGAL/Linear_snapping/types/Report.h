@@ -31,7 +31,7 @@ namespace Linear_snapping {
 
 The outcome of a function. All functions use the same name for the same condition. The first four
 outcomes are successes: the result has been written, or was there already. After any other outcome
-the caller's data is untouched, bit for bit.
+the data of the caller are as before, bit for bit.
 */
 enum class Outcome
 {
@@ -62,7 +62,7 @@ enum class Outcome
   INVALID_CONES,      ///< given indices do not add up to \f$ 4 \chi \f$, or one is 4 or more
   INVALID_ALIGNMENT,  ///< the alignment asked for would collapse a face
   INCONSISTENT,       ///< the constraints contradict each other
-  /// the constraints have solutions, but in the number type none was found near by
+  /// the constraints have solutions, but the function found none nearby in the number type
   NOT_REPRESENTABLE,
   /// cells, pieces of curves, or the work of an elimination are more than allowed; or numbers are
   /// too large

@@ -59,7 +59,7 @@ public:
   /// \name Size
   /// @{
   std::size_t number_of_quads = 0;           ///< of the mesh that it describes
-  /// the number of quads that the features force: without features, there would be so many fewer.
+  /// the number of quads that the features force: how many fewer there would be without features.
   /// Counted only if there are clearly more quads than wanted, by the first integers that are
   /// tried, whether their quads are a face graph or not.
   std::size_t number_of_forced_quads = 0;

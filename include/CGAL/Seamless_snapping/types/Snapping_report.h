@@ -37,7 +37,7 @@ The values of the named parameter `repair_flips` of `snap_to_seamless()` and of
 Repairs keep the angles of cones if possible. For example, a cone of 450 degrees does not become a
 cone of 90 degrees, with 360 degrees more at another vertex. If flips remain, the function tries
 again without this condition. Except for integer-grid maps, it also does so before it changes large
-parts of the map. No positive face loses its orientation for the sake of another face.
+parts of the map. No positive face becomes flipped for the sake of another face.
 
 The named parameter `number_of_untangling_iterations` bounds the search, by the number of Newton
 iterations over all faces. A long factorization counts as several iterations. Maps of common
@@ -112,7 +112,7 @@ struct Snapping_figures
 
 The report of functions that snap surfaces and volumes: the report of a linear system, and the faces
 that lost their orientation. It converts to `true` if and only if all constraints hold exactly in
-the caller's values.
+the values of the caller.
 
 Figures of a step that was not reached are zero.
 */
