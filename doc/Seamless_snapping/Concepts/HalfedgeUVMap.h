@@ -9,8 +9,9 @@ border halfedges are neither read nor written.
 
 Functions that write coordinates also require a model of `WritablePropertyMap` or
 `ReadWritePropertyMap`. Corners at one vertex may share a place in memory if no cut runs between them; all
-other corners need their own. `approximate_seamless_parametrization()` of `Quad_remeshing` chooses the cuts, so
-there each corner needs its own place. A map with one value for each vertex cannot represent a parametrization
+other corners need their own. For `convert_to_lattice_coordinates()`, which changes each corner by itself, and for
+`approximate_seamless_parametrization()` of `Quad_remeshing`, which chooses the cuts, each corner needs its own
+place. A map with one value for each vertex cannot represent a parametrization
 with cuts.
 
 \cgalRefines{ReadablePropertyMap}

@@ -157,7 +157,7 @@ private:
 } // namespace internal
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingRemeshing
 
 How many sharp edges `detect_features()` found, and how many of them are features.
 */
@@ -170,7 +170,7 @@ struct Detected_features
 };
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingRemeshing
 
 finds the sharp edges of a mesh that are edges of a part, as of CAD models, but not the sharp edges
 of scans, voxels, or marching cubes. `CGAL::Polygon_mesh_processing::detect_sharp_edges()` finds the

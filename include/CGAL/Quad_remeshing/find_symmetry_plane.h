@@ -188,7 +188,7 @@ find_doubled_offset(const std::vector<Mirror_search::Point>& sorted, const int a
 } // namespace internal
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingRemeshing
 
 finds a plane perpendicular to a coordinate axis by which the vertices of a mesh are symmetric.
 

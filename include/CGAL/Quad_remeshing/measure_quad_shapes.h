@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Quad_remeshing {
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingRemeshing
 
 measures the shapes of the quads of any mesh, by the same figures as `Remeshing_report`. Faces that
 are no quads are left out.

@@ -71,7 +71,7 @@ std::optional<Refusal> defect_of_quads(const QuadMesh& mesh, const NamedParamete
 } // namespace internal
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingPatches
 
 divides a quad mesh into rectangles of quads, for example to fit splines.
 
@@ -177,7 +177,7 @@ Quad_patches<QuadMesh> quad_patches(const QuadMesh& mesh,
 }
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingPatches
 
 writes the vertices of a patch, row by row: `height + 1` rows of `width + 1` vertices, the first of
 which begins at the corner. At the points of these vertices, a surface of splines can be fitted to

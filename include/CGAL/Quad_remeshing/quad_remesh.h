@@ -175,7 +175,7 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
 } // namespace internal
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingRemeshing
 
 remeshes a triangle mesh with quads only.
 
@@ -435,7 +435,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
 }
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingRemeshing
 
 makes the quads of a quantization, and moves their vertices as the other overload does.
 

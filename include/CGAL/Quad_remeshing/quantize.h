@@ -228,7 +228,7 @@ std::size_t close_folds(QuadMesh& quads, const Holes& holes_before)
 } // namespace internal
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingQuantization
 
 quantizes an exactly seamless map: finds an all-quad mesh of the surface whose edges follow the map,
 at any scale. It needs neither a solver for integer programs nor a tolerance.
@@ -381,7 +381,7 @@ Quantization quantize(const TriangleMesh& tmesh, HalfedgeUVMap uv_map,
 }
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingQuantization
 
 finds another number of quads for a map that has been quantized. The coarse triangulation of
 `quantize()` is used again, so only the search for integers is left. The result is the same as from
@@ -420,7 +420,7 @@ Quantization quantize_again(const Quantization& quantization, const TriangleMesh
 }
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingQuantization
 
 extracts the quads of a quantization. All faces are quads, and they form a mesh that is homeomorphic
 to the surface. The function has the checks of `extract_quad_mesh()` of a map. The vertices lie on
@@ -476,7 +476,7 @@ Extraction_report extract_quad_mesh(const Quantization& quantization, const Tria
 }
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingQuantization
 
 extracts the same quads as points and lists of indices. Loops and double edges are allowed here.
 Template parameters are the same as for the extraction from a map.

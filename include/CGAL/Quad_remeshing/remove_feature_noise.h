@@ -164,7 +164,7 @@ private:
 } // namespace internal
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingRemeshing
 
 unmarks feature edges that are noise.
 

@@ -317,10 +317,10 @@ nearly degenerate keep their orientation. Corners with equal coordinates get equ
 
 \tparam TriangleMesh a model of `FaceListGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`,
-        whose corners share no place in memory
+        in which each corner has its own place in memory
 
 \param tmesh the mesh
-\param uv_map the coordinates of each corner
+\param uv_map the coordinates of each corner; changed in place
 
 \par Complexity
 Linear in the number of faces.
@@ -343,7 +343,15 @@ converts a parametrization from lattice coordinates \f$ (a, b) \f$ to the Cartes
 \f$ (a + b / 2, b \sqrt 3 / 2) \f$, rounded. The result is not exactly seamless in general. Convert
 for pictures and measurements only.
 
-Parameters and complexity are those of `convert_to_lattice_coordinates()`.
+\tparam TriangleMesh a model of `FaceListGraph`
+\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`,
+        in which each corner has its own place in memory
+
+\param tmesh the mesh
+\param uv_map the coordinates of each corner; changed in place
+
+\par Complexity
+Linear in the number of faces.
 
 \sa `convert_to_lattice_coordinates()`
 */

@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Quad_remeshing {
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingPatches
 
 A rectangle of `width` times `height` quads of a mesh.
 
@@ -48,7 +48,7 @@ struct Quad_patch
 };
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingPatches
 
 The result of `quad_patches()`. Converts to `bool`: `true` if and only if there are patches.
 

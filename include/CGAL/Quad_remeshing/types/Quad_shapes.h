@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Quad_remeshing {
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingRemeshing
 
 The shapes of quads, in floating point. `measure_quad_shapes()` returns this.
 */

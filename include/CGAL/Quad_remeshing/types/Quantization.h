@@ -34,7 +34,7 @@ struct Quantized_surface;
 } // namespace internal
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingQuantization
 
 A connected part of a surface whose quads have not the size that is wanted.
 */
@@ -46,7 +46,7 @@ struct Part_of_other_size
 };
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingQuantization
 
 The result of `quantize()`: an all-quad mesh of a parametrized surface, in the form of a coarse
 triangulation whose edges are vectors of integers. `extract_quad_mesh()` makes the quads. Converts

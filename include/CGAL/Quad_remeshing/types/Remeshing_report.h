@@ -33,7 +33,7 @@ namespace CGAL {
 namespace Quad_remeshing {
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingRemeshing
 
 A feature that `quad_remesh()` has released, between two points at which it turned, ended, or met
 others.
@@ -45,7 +45,7 @@ struct Released_feature
 };
 
 /*!
-\ingroup PkgQuadRemeshingQuads
+\ingroup PkgQuadRemeshingRemeshing
 
 The result of `quad_remesh()`. Converts to `bool`: `true` if and only if the quads were written.
 */

@@ -225,7 +225,7 @@ The file consists of words, separated by blanks and line ends:
 \param source the input stream, or the name of the file
 \param mesh receives the content; stays as it was if the function fails
 
-\returns a status that converts to `true` if the mesh was read; otherwise it holds the reason and
+\return a status that converts to `true` if the mesh was read; otherwise it holds the reason and
          the line
 
 \par Complexity
@@ -250,7 +250,7 @@ format. The numbers read back bit for bit.
 \param output the output stream, or the name of the file
 \param mesh the mesh
 
-\returns a status that converts to `true` if the mesh was written; otherwise it holds the reason:
+\return a status that converts to `true` if the mesh was written; otherwise it holds the reason:
          there are not four coordinates per cell, a number is not finite, or the file cannot be
          written
 

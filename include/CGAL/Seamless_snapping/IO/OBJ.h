@@ -98,7 +98,7 @@ which line:
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns a status that converts to `true` if the mesh was read; otherwise it holds the reason and
+\return a status that converts to `true` if the mesh was read; otherwise it holds the reason and
          the line
 
 \par Numbers
@@ -166,7 +166,7 @@ written.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns a status that converts to `true` if the mesh was written; otherwise it holds the reason
+\return a status that converts to `true` if the mesh was written; otherwise it holds the reason
 
 \pre All faces are triangles.
 
@@ -221,7 +221,7 @@ for bit.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\returns a status that converts to `true` if the file was written; otherwise it holds the reason:
+\return a status that converts to `true` if the file was written; otherwise it holds the reason:
          the original cannot be read, the mesh has other faces than the file, or a coordinate is not
          finite. Then nothing is written.
 
