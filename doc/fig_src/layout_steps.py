@@ -68,7 +68,7 @@ def main(map_name, layout_name, out):
     titles = (
         ("1  Exactly seamless map", "blue: $u$ is an integer; orange: $v$ is an integer; dots: cones"),
         ("2  Start", "curves leave each cone in all directions, at the same time"),
-        ("3  Race", "a curve stops at a curve that was there first"),
+        ("3  Meetings", "a curve stops at a point that another curve has passed before"),
         ("4  Layout", "the patches between the curves are rectangles"),
     )
     for i, (title, text) in enumerate(titles):
