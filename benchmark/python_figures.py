@@ -3,15 +3,18 @@
 
 usage: PYTHONPATH=build/python python_figures.py [--million]
 
-With --million, a mesh of a million triangles is remeshed, and a hundred meshes in two threads, too.
+With --million, a mesh of a million triangles is remeshed, a call for it is interrupted, and a
+hundred meshes are remeshed in two threads, too.
 """
 
 import concurrent.futures
 import os
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import zipfile
 
@@ -20,21 +23,33 @@ import numpy as np
 import seamless
 
 
-def seconds(function, runs=3):
-    """The least time of a function, and its last result."""
-    times = []
+def seconds(function, runs=5):
+    """The time and the result of the fastest run of a function, which others disturbed least."""
+    fastest = None
     for _ in range(runs):
         start = time.perf_counter()
         result = function()
-        times.append(time.perf_counter() - start)
-    return min(times), result
+        time_of_run = time.perf_counter() - start
+        if fastest is None or time_of_run < fastest[0]:
+            fastest = time_of_run, result
+    return fastest
+
+
+def cpu_seconds(code, runs=10):
+    """The least time that the processor spends on a program, whatever else it does meanwhile."""
+    times = []
+    for _ in range(runs):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run([sys.executable, "-c", code], check=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return min(times)
 
 
 def print_import():
-    command = lambda code: [sys.executable, "-c", code]
-    run = lambda code: seconds(lambda: subprocess.run(command(code), check=True), 5)[0]
-    print(f"import: {run('import seamless') - run('pass'):.2f} s, "
-          f"{run('import numpy') - run('pass'):.2f} s of these for NumPy")
+    nothing = cpu_seconds("pass")
+    print(f"import: {cpu_seconds('import seamless') - nothing:.2f} s, "
+          f"{cpu_seconds('import numpy') - nothing:.2f} s of these for NumPy")
 
 
 def print_size():
@@ -48,7 +63,8 @@ def print_size():
 
 
 def print_overhead():
-    """Time that is not that of the steps which the core reports: conversions, and a thread."""
+    """The time of a call beside the compiled core, which the report of the same call tells: for
+    checks, conversions, and a thread."""
     V, F = seamless.examples.torus(250, 200)
     F2, uv = seamless.examples.inexact_map(250, 200)
     calls = {"quad_remesh": lambda: seamless.quad_remesh(V, F, quads=5000, report=True),
@@ -56,18 +72,43 @@ def print_overhead():
              "snap": lambda: seamless.snap(F2, uv, report=True)}
     for name, call in calls.items():
         time_of_call, result = seconds(call)
-        steps = sum(result[-1]["step_times"].values())
-        print(f"{name}, {len(F)} triangles: {time_of_call:.2f} s, "
-              f"{steps:.2f} s in steps of the core, {100 * (time_of_call / steps - 1):.1f} % more")
+        in_core = result[-1]["seconds_in_core"]
+        print(f"{name}, {len(F)} triangles: {time_of_call:.3f} s, {in_core:.3f} s in the core, "
+              f"{100 * (time_of_call / in_core - 1):.1f} % more")
 
 
 def print_million():
     V, F = seamless.examples.torus(1000, 500)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    of_processor = time.process_time()
     time_of_call, (_, Q) = seconds(lambda: seamless.quad_remesh(V, F), 1)
+    of_processor = time.process_time() - of_processor
     after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     print(f"quad_remesh, {len(F)} triangles to {len(Q)} quads: {time_of_call:.0f} s, "
-          f"{(after - before) / 1e6:.1f} GB, arrays {(V.nbytes + F.nbytes) / 1e9:.2f} GB")
+          f"{of_processor:.0f} s of the processor, {(after - before) / 1e6:.1f} GB, "
+          f"arrays {(V.nbytes + F.nbytes) / 1e9:.2f} GB")
+
+
+def print_interruption():
+    V, F = seamless.examples.torus(1000, 500)
+    pressed = []
+
+    def press():
+        time.sleep(10)
+        pressed.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # which jobs in the background lack
+    threading.Thread(target=press).start()
+    try:
+        seamless.quad_remesh(V, F)
+        print("Ctrl-C: OTHER end")
+    except KeyboardInterrupt:
+        of_call = time.perf_counter() - pressed[0]
+        seamless._core.wait_for_interrupted_calls()
+        of_thread = time.perf_counter() - pressed[0]
+        print(f"Ctrl-C after 10 s: the call ends after {of_call:.2f} s, its thread after "
+              f"{of_thread:.1f} s")
 
 
 def print_hundred():
@@ -87,4 +128,5 @@ print_size()
 print_overhead()
 if "--million" in sys.argv[1:]:
     print_million()
+    print_interruption()
     print_hundred()

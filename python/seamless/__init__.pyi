@@ -16,10 +16,12 @@ __version__: str
 
 class Error(ValueError):
     status: str
+    reason: str
     place: Optional[str]
     remedy: Optional[str]
     report: Optional[Report]
-    def __init__(self, message: str, status: str = ..., report: Optional[Report] = ...) -> None: ...
+    def __init__(self, reason: str, remedy: Optional[str] = ..., place: Optional[str] = ...,
+                 status: str = ..., report: Optional[Report] = ...) -> None: ...
 
 class Layout:
     nodes: Floats

@@ -5,8 +5,8 @@ import os
 import sys
 import warnings
 
-from . import _checks, _core
-from ._errors import checked, refused
+from . import _checks, _core, _words
+from ._errors import Error
 
 
 def call(function, *arguments):
@@ -14,19 +14,40 @@ def call(function, *arguments):
     try:
         return function(*arguments)
     except _core.Refused as error:
-        raise refused(error) from None
+        raise _error(*error.args, function.__name__) from None
 
 
 def make(function, *arguments, progress, report):
     """Call a compiled function whose last result is a report; return the report only if asked to."""
     wants_report = _checks.flag(report, "report")
     *results, figures = call(function, *arguments, _checks.progress(progress))
-    figures = checked(figures)
+    message, succeeded = figures["message"], figures.pop("success")
+    for key, value in figures.items():
+        if isinstance(value, _core.Message):
+            figures[key] = _words.sentence(value, function.__name__)
+    if not succeeded:
+        raise _error(figures["status"], message, function.__name__, figures)
     for words in _concerns(figures):
         warnings.warn(words, stacklevel=3)
     if wants_report:
         results.append(figures)
     return results[0] if len(results) == 1 else tuple(results)
+
+
+def _error(status, message, function, report=None):
+    """The error for what a compiled function says."""
+    reason, remedy, place = _words.told(message, function)
+    if not reason:
+        reason = status
+    elif status != "invalid argument":
+        reason = f"{status}: {reason}"
+    if report and "number_of_misfits" in report:
+        reason += f"; {report['number_of_misfits']} of {report['number_of_cut_edges']} cut edges don't fit"
+        if report["looks_like_atlas"]:
+            reason += (": this looks like a texture atlas, whose charts are laid out independently, and "
+                       "a larger tolerance does not help")
+            remedy = "pass the mesh to parametrize(), which computes coordinates that fit"
+    return Error(reason, remedy, place, status, report)
 
 
 def _concerns(figures):

@@ -14,21 +14,22 @@ def _array(value, name):
     try:
         result = np.asarray(value)
     except Exception as error:  # whatever an object does that is asked for an array
-        raise Error(f"{name} is no array: {error}; pass a NumPy array or nested lists") from error
+        raise Error(f"{name} is no array: {error}", "pass a NumPy array or nested lists") from error
     if result.dtype.kind not in "biufO":
-        raise Error(f"{name} has the type {result.dtype}; pass numbers")
+        raise Error(f"{name} has the type {result.dtype.name}", "pass numbers")
     if result.dtype.kind == "O":
-        raise Error(f"{name} is no array of numbers: rows may differ in length; pass a NumPy array "
-                    "of numbers")
+        raise Error(f"{name} is no array of numbers: rows may differ in length",
+                    "pass a NumPy array of numbers")
     return result
 
 
 def _check_shape(array, name, shape, rows):
     """`shape` has None for any size; `rows` says what the rows are."""
-    wanted = "(" + ", ".join("n" if s is None else str(s) for s in shape) + ")"
+    sizes = ", ".join("n" if s is None else str(s) for s in shape)
+    wanted = f"({sizes},)" if len(shape) == 1 else f"({sizes})"
     if array.ndim != len(shape) or any(s is not None and s != size
                                        for s, size in zip(shape, array.shape)):
-        raise Error(f"{name} has the shape {array.shape}; its shape must be {wanted}: {rows}")
+        raise Error(f"{name} has the shape {array.shape}, but its shape must be {wanted}: {rows}")
 
 
 def _row(name, bad):
@@ -41,16 +42,17 @@ def doubles(value, name, shape, rows, may_be_empty=False):
     """Return finite float64 numbers of a shape."""
     array = _array(value, name)
     if array.dtype.kind == "b":
-        raise Error(f"{name} has the type {array.dtype}; pass numbers")
+        raise Error(f"{name} has the type {array.dtype.name}", "pass numbers")
     _check_shape(array, name, shape, rows)
     if array.shape[0] == 0 and not may_be_empty:
-        raise Error(f"{name} is empty; pass at least one row")
+        raise Error(f"{name} is empty", "pass at least one row")
     with np.errstate(over="ignore"):
         array = np.ascontiguousarray(array, dtype=np.float64)
     finite = np.isfinite(array)
     if not finite.all():
-        raise Error(f"{_row(name, ~finite)} is not finite: it has a NaN, or an infinite number",
-                    "not finite")
+        row = _row(name, ~finite)
+        raise Error(f"{row} is not finite: it has a NaN, or an infinite number", place=row,
+                    status="not finite")
     return array
 
 
@@ -60,17 +62,17 @@ def indices(value, name, columns, size=None, of="V", rows="", may_be_empty=False
     if array.size == 0 and may_be_empty:
         return np.empty((0, columns), dtype=np.int64)
     if array.dtype.kind not in "iu":
-        raise Error(f"{name} has the type {array.dtype}; pass integers")
+        raise Error(f"{name} has the type {array.dtype.name}", "pass integers")
     _check_shape(array, name, (None, columns), rows)
     if array.shape[0] == 0:
-        raise Error(f"{name} is empty; pass at least one row")
+        raise Error(f"{name} is empty", "pass at least one row")
     most = _LARGEST_INDEX if size is None else min(size - 1, _LARGEST_INDEX)
     if array.min() < 0 or array.max() > most:
         bad = (array < 0) | (array > most)
         row = _row(name, bad)
         index = array[bad][0]
         limit = f"{of} has {size} rows" if size is not None else "indices are less than 2^31 - 1"
-        raise Error(f"{row} has the index {index}, but {limit}; indices count from 0")
+        raise Error(f"{row} has the index {index}, but {limit}", "count indices from 0", row)
     return np.ascontiguousarray(array, dtype=np.int64)
 
 
@@ -80,15 +82,16 @@ def cells(value, name, size=None, corners=3):
                    8: ("hexahedron", "eight")}[corners]
     array = _array(value, name)
     if corners == 3 and array.ndim == 2 and array.shape[1] == 4:
-        raise Error(f"{name} has the shape {array.shape}; its shape must be (n, 3): three vertices for "
-                    "each triangle; triangulate quads first")
+        raise Error(f"{name} has the shape {array.shape}, but its shape must be (n, 3): three vertices "
+                    "for each triangle", "triangulate quads first")
     result = indices(array, name, corners, size, rows=f"{words} vertices for each {kind}")
     twice = np.zeros(len(result), dtype=bool)
     for i in range(1, corners):  # a vertex and the one i places later
         for j in range(corners - i):
             twice |= result[:, j] == result[:, j + i]
     if twice.any():
-        raise Error(f"{_row(name, twice)} has a vertex twice; remove the {kind}")
+        row = _row(name, twice)
+        raise Error(f"{row} has a vertex twice", f"remove the {kind}", row)
     return result
 
 
@@ -111,7 +114,8 @@ def positive(value, name, size, rows):
     array = doubles(value, name, (size,), rows)
     bad = array <= 0
     if bad.any():
-        raise Error(f"{_row(name, bad)} is {array[bad][0]}, but must be positive")
+        row = _row(name, bad)
+        raise Error(f"{row} is {array[bad][0]}, but must be positive", place=row)
     return array
 
 
@@ -129,7 +133,7 @@ def number(value, name, least=None, most=None, is_open=False):
     except (TypeError, ValueError, OverflowError) as error:
         raise Error(f"{name} must be a number, not {value!r}") from error
     if not np.isfinite(result):
-        raise Error(f"{name} must be finite, not {value!r}", "not finite")
+        raise Error(f"{name} must be finite, not {value!r}", status="not finite")
     if least is not None and (result < least or (is_open and result == least)):
         raise Error(f"{name} is {value!r}, but must be {'more than' if is_open else 'at least'} "
                     f"{least}")

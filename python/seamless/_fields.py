@@ -50,14 +50,14 @@ def read_field(path):
     path = os.fspath(path)
     suffix = os.path.splitext(path)[1].lower()
     if suffix not in (".rosy", ".rawfield", ".dmat", ".txt"):
-        raise Error(f"{path}: directions are read from .rosy, .rawfield, .dmat, and .txt files; convert "
-                    "others to an array")
+        raise Error(f"{path}: directions are read from .rosy, .rawfield, .dmat, and .txt files",
+                    "convert others to an array")
     with open(path, encoding="utf-8", errors="replace") as file:
         words = file.read().split()
     try:
         values = np.array(words, dtype=np.float64)
     except ValueError:
-        raise Error(f"{path}: a .{suffix[1:]} file holds numbers only; this one has other words") \
+        raise Error(f"{path}: a .{suffix[1:]} file holds numbers only, but this one has other words") \
             from None
     return _directions(values, suffix, path)
 
@@ -72,7 +72,7 @@ def _directions(values, suffix, path):
     elif suffix == ".dmat":
         if len(values) < 2 or values[0] * values[1] != len(values) - 2 or values[0] not in (3, 12):
             raise Error(f"{path}: a .dmat file of directions begins with 3 or 12, the number of "
-                        "columns, and the number of rows; it has as many numbers")
+                        "columns, and the number of rows, and has as many numbers")
         table = values[2:].reshape(int(values[0]), -1).T  # column by column
     else:
         with open(path, encoding="utf-8") as file:
@@ -86,7 +86,7 @@ def _directions(values, suffix, path):
 def _check_head(values, path, head, is_degree, columns):
     if len(values) < 2 or values[is_degree] != 4 or \
             columns * values[1 - is_degree] != len(values) - 2:
-        raise Error(f"{path}: such a file begins with {head}; {columns} numbers for each face follow")
+        raise Error(f"{path}: such a file begins with {head}, and {columns} numbers for each face follow")
 
 
 def directions(field, number_of_faces):
@@ -97,7 +97,7 @@ def directions(field, number_of_faces):
         path, field = os.fspath(field), read_field(field)
         if len(field) != number_of_faces:
             raise Error(f"{path} has directions for {len(field)} faces, but the mesh has "
-                        f"{number_of_faces}; take the file of this mesh")
+                        f"{number_of_faces}", "take the file of this mesh")
         return _checks.doubles(field, path, (None, 3), "a direction for each face")
     array = _checks._array(field, "field")
     if array.ndim >= 2 and array.shape in ((number_of_faces, 12), (number_of_faces, 4, 3)):

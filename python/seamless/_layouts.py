@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 
-from . import _checks, _core
+from . import _checks, _core, _words
 from ._calls import call, make
 from ._errors import Error
 from ._meshes import surface_map
@@ -79,7 +79,7 @@ def extract_quads(V, F, uv, quads=None, *, grid_scale=1, rounding=None, features
     """
     F, uv, V, features = surface_map(F, uv, V, features, needs_points=True)
     if quads is not None and grid_scale != 1:
-        raise Error("quads and grid_scale exclude each other; pass one of them")
+        raise Error("quads and grid_scale exclude each other", "pass one of them")
     return make(
         _core.extract_quads, V, F, uv, features, 0 if quads is None else _checks.count(quads, "quads"),
         _checks.number(grid_scale, "grid_scale", 0, is_open=True),
@@ -196,7 +196,7 @@ def layout(V, F, uv, *, features=None, base_complex=False):
         arc_lengths=d["arc_lengths"], arc_is_constrained=d["arc_is_constrained"].astype(bool),
         arc_patches=d["arc_patches"], arc_paths=paths, patch_corners=d["patch_corners"],
         patch_sizes=d["patch_sizes"], patch_is_cut=d["patch_is_cut"].astype(bool),
-        patch_half_arcs=halves, message=d["message"])
+        patch_half_arcs=halves, message=_words.sentence(d["message"], "layout"))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -283,15 +283,17 @@ def _start(start, F):
                                   "three barycentric coordinates for each place")
         bad = (weights <= 0).any(axis=1) | (np.abs(weights.sum(axis=1) - 1) > 1e-6)
         if bad.any():
-            raise Error(f"row {int(np.argmax(bad))} of start[1] is no place inside of a triangle; pass "
-                        "positive weights whose sum is 1")
+            row = f"row {int(np.argmax(bad))} of start[1]"
+            raise Error(f"{row} is no place inside of a triangle", "pass positive weights whose sum is 1",
+                        row)
         return None, np.ascontiguousarray(faces), weights
     vertices = _checks.indices(np.reshape(_checks._array(start, "start"), (-1, 1)), "start", 1,
                                int(F.max()) + 1, "the mesh", "one vertex for each start")[:, 0]
     missing = ~np.isin(vertices, F)
     if missing.any():
-        raise Error(f"row {int(np.argmax(missing))} of start is the vertex {vertices[missing][0]}, which "
-                    "no triangle has; pass vertices of triangles")
+        row = f"row {int(np.argmax(missing))} of start"
+        raise Error(f"{row} is the vertex {vertices[missing][0]}, which no triangle has",
+                    "pass vertices of triangles", row)
     return np.ascontiguousarray(vertices), None, None
 
 

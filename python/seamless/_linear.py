@@ -60,7 +60,7 @@ def snap_linear(A, b, x, *, weights=None, progress=None, report=False):
     m = len(begins) - 1
     sides = _numbers(b, "b")
     if len(sides) != m:
-        raise Error(f"b has {len(sides)} numbers, but A has {m} rows; pass one number for each row")
+        raise Error(f"b has {len(sides)} numbers, but A has {m} rows", "pass one number for each row")
     weights = np.ones(len(x)) if weights is None else \
         _checks.positive(weights, "weights", len(x), "one number for each of x")
     is_integer = isinstance(values, np.ndarray)
@@ -79,19 +79,20 @@ def _rows(A, n):
         except ValueError as error:
             raise Error(f"A is no matrix: {error}") from None
         if A.ndim != 2 or A.dtype.kind not in "biufO":
-            raise Error(f"A has the shape {A.shape} and the type {A.dtype}; pass rows of numbers")
+            raise Error(f"A has the shape {A.shape} and the type {A.dtype.name}", "pass rows of numbers")
         shape = A.shape
         rows, columns = np.nonzero(A)
         values = A[rows, columns]
         begins = np.concatenate([[0], np.cumsum(np.bincount(rows, minlength=shape[0]))])
     if shape[1] != n:
-        raise Error(f"A has {shape[1]} columns, but x has {n} numbers; pass one number for each column")
+        raise Error(f"A has {shape[1]} columns, but x has {n} numbers",
+                    "pass one number for each column")
     if shape[0] == 0:
-        raise Error("A is empty; pass at least one row")
+        raise Error("A is empty", "pass at least one row")
     columns = np.ascontiguousarray(columns, dtype=np.int64)
     begins = np.ascontiguousarray(begins, dtype=np.int64)
     if len(columns) > 0 and (columns.min() < 0 or columns.max() >= n):
-        raise Error("A has an index of a column out of range; build it anew")
+        raise Error("A has an index of a column out of range", "build it anew")
     if values.dtype.kind in "bi" or (values.dtype.kind == "u" and values.dtype.itemsize < 8):
         return begins, columns, np.ascontiguousarray(values, dtype=np.int64)
     return begins, columns, _numbers(values, "A", begins)
@@ -104,15 +105,17 @@ def _numbers(values, name, begins=None):
     except ValueError as error:
         raise Error(f"{name} is no array of numbers: {error}") from None
     if values.ndim != 1 or values.dtype.kind not in "biufO":
-        raise Error(f"{name} has the shape {values.shape} and the type {values.dtype}; pass a row of "
-                    "numbers")
+        raise Error(f"{name} has the shape {values.shape} and the type {values.dtype.name}",
+                    "pass a row of numbers")
     result = []
     for i, value in enumerate(values.tolist()):
         row = i if begins is None else int(np.searchsorted(begins, i, side="right")) - 1
+        place = f"row {row} of {name}"
         if not isinstance(value, numbers.Real):
-            raise Error(f"row {row} of {name} has {value!r}, which is no integer, fraction, or float")
+            raise Error(f"{place} has {value!r}, which is no integer, fraction, or float", place=place)
         try:
             result.append(str(fractions.Fraction(value)))
         except (ValueError, OverflowError, TypeError):
-            raise Error(f"row {row} of {name} is not finite: it has {value!r}", "not finite") from None
+            raise Error(f"{place} is not finite: it has {value!r}", place=place,
+                        status="not finite") from None
     return result

@@ -1,5 +1,7 @@
 """What counts as a mesh: two arrays, or an object of another library that has them."""
 
+import itertools
+
 import numpy as np
 
 from . import _checks
@@ -12,8 +14,8 @@ def _from_object(mesh):
         return mesh.vertices, mesh.faces
     if hasattr(mesh, "points") and hasattr(mesh, "cells"):
         return mesh.points, _cells(mesh, "triangle", 3)
-    raise Error(f"V is a {type(mesh).__name__}, and F is missing; pass points and triangles, or a mesh "
-                "with vertices and faces, as of trimesh, or with points and cells, as of meshio")
+    raise Error(f"V is a {type(mesh).__name__}, and F is missing", "pass points and triangles, or a "
+                "mesh with vertices and faces, as of trimesh, or with points and cells, as of meshio")
 
 
 def _cells(mesh, kind, corners):
@@ -24,7 +26,7 @@ def _cells(mesh, kind, corners):
         if block_kind == kind:
             blocks.append(np.asarray(data))
         elif kind == "triangle" and block_kind in ("quad", "polygon"):
-            raise Error(f"the mesh has cells of the kind {block_kind!r}; triangulate them first")
+            raise Error(f"the mesh has cells of the kind {block_kind!r}", "triangulate them first")
     if not blocks:
         raise Error(f"the mesh has no cells of the kind {kind!r}, of {corners} corners")
     return np.concatenate(blocks)
@@ -35,7 +37,10 @@ def surface(V, F):
     if F is None:
         V, F = _from_object(V)
     V = _checks.points(V)
-    return V, _checks.cells(F, "F", len(V))
+    F = _checks.cells(F, "F", len(V))
+    if all((V[F[:, k]] == V[F[0, 0]]).all() for k in range(3)):
+        raise Error("all rows of V that triangles have are the same point")
+    return V, F
 
 
 def surface_map(F, uv, V, features, needs_points=False):
@@ -53,8 +58,24 @@ def volume_map(T, uvw, feature_facets, feature_edges, size=None):
     T = _checks.cells(T, "T", size, 4)
     uvw = _checks.doubles(uvw, "uvw", (len(T), 4, 3),
                           "three coordinates for each corner of each tetrahedron")
-    return T, uvw, _checks.features(feature_facets, "feature_facets", size, 3), \
-        _checks.features(feature_edges, "feature_edges", size)
+    return T, uvw, _volume_features(feature_facets, "feature_facets", T, size, 3), \
+        _volume_features(feature_edges, "feature_edges", T, size, 2)
+
+
+def _volume_features(features, name, T, size, corners):
+    """Return int64 facets or edges of tetrahedra, or None."""
+    features = _checks.features(features, name, size, corners)
+    if features is None:
+        return None
+    sides = np.concatenate([T[:, c] for c in itertools.combinations(range(4), corners)])
+    sides = sides[np.isin(sides, features).all(axis=1)]
+    known = set(map(tuple, np.sort(sides, axis=1).tolist()))
+    for i, side in enumerate(np.sort(features, axis=1).tolist()):
+        if tuple(side) not in known:
+            row = f"row {i} of {name}"
+            raise Error(f"{row} has the vertices {', '.join(map(str, features[i]))}, but no tetrahedron "
+                        f"has {'an edge' if corners == 2 else 'a facet'} of these", place=row)
+    return features
 
 
 def corner_uv(uv, F):
@@ -63,8 +84,8 @@ def corner_uv(uv, F):
     if array.ndim == 2 and array.shape == (3 * len(F), 2):
         array = array.reshape(len(F), 3, 2)
     if array.ndim == 2 and array.shape[1:] == (2,):
-        raise Error(f"uv has the shape {array.shape}; its shape must be ({len(F)}, 3, 2): two "
-                    "coordinates for each corner of each triangle; for coordinates of vertices, pass "
-                    "uv[F]")
+        raise Error(f"uv has the shape {array.shape}, but its shape must be ({len(F)}, 3, 2): two "
+                    "coordinates for each corner of each triangle",
+                    "for coordinates of vertices, pass uv[F]")
     return _checks.doubles(array, "uv", (len(F), 3, 2),
                            "two coordinates for each corner of each triangle")

@@ -174,14 +174,10 @@ def snap(F, uv, *, V=None, features=None, align_border=False, tolerance=1e-4, re
     F, uv, V, features = surface_map(F, uv, V, features)
     if out is not None:
         _check_out(out, uv)
-    weld = _weld(weld, V)
-    tolerance = _checks.number(tolerance, "tolerance", 0, 1, is_open=True)
-    try:
-        result = make(
-            _core.snap, F, uv, V, features, _checks.flag(align_border, "align_border"), tolerance,
-            _checks.flag(repair_flips, "repair_flips"), weld, progress=progress, report=report)
-    except Error as error:
-        raise _with_atlas(error, F, uv, tolerance) from None
+    result = make(
+        _core.snap, F, uv, V, features, _checks.flag(align_border, "align_border"),
+        _checks.number(tolerance, "tolerance", 0, 1, is_open=True),
+        _checks.flag(repair_flips, "repair_flips"), _weld(weld, V), progress=progress, report=report)
     if out is None:
         return result
     out[...] = result[0] if report else result
@@ -306,14 +302,15 @@ def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maxi
     """
     V, F = surface(V, F)
     if sum([quads is not None, edge_length is not None, coarsest is True]) > 1:
-        raise Error("quads, edge_length, and coarsest exclude each other; pass one of them")
+        raise Error("quads, edge_length, and coarsest exclude each other", "pass one of them")
     if sizes is not None:
         sizes = _checks.positive(sizes, "sizes", len(V), "a length for each row of V")
         if quads is None and edge_length is None and coarsest is not True:
             edge_length = 1
     number = _checks.count(10000 if quads is None else quads, "quads")
     if number > _MOST_QUADS and maximum is None:
-        raise Error(f"quads is {number}; so many are mostly a mistake, and take long; pass maximum, too")
+        raise Error(f"quads is {number}, but so many are mostly a mistake, and take long",
+                    "pass maximum, too")
     plane, finds_plane = _plane(symmetry)
     wishes = _core.Wishes(
         number_of_quads=number,
@@ -333,15 +330,15 @@ def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maxi
 
 def _weld(weld, V):
     if _checks.flag(weld, "weld") and V is None:
-        raise Error("weld=True joins border edges between the same points; pass V, too")
+        raise Error("weld=True joins border edges between the same points", "pass V, too")
     return bool(weld)
 
 
 def _check_out(out, uv):
     if not (isinstance(out, np.ndarray) and out.dtype == np.float64 and out.shape == uv.shape
             and out.flags.writeable):
-        raise Error(f"out must be a float64 array of the shape {uv.shape} that can be written; make it "
-                    "by numpy.empty()")
+        raise Error(f"out must be a float64 array of the shape {uv.shape} that can be written",
+                    "make it by numpy.empty()")
 
 
 def _plane(symmetry):
@@ -356,46 +353,5 @@ def _plane(symmetry):
         return [float(symmetry == axis) for axis in "xyz"] + [0.], False
     plane = _checks.doubles(symmetry, "symmetry", (4,), "a, b, c, d of the plane a x + b y + c z + d = 0")
     if not plane[:3].any():
-        raise Error("symmetry is no plane; one of its first three numbers must not be 0")
+        raise Error("symmetry is no plane", "one of its first three numbers must not be 0")
     return plane.tolist(), False
-
-
-def _with_atlas(error, F, uv, tolerance):
-    """The error, with what to do about a texture atlas if the coordinates look like one."""
-    if error.status != "not seamless":
-        return error
-    cuts, misfits, gross = _misfits(F, uv, tolerance)
-    if misfits == 0:
-        return error
-    message = f"{error.args[0]}; {misfits} of {cuts} cut edges don't fit"
-    if 2 * gross > cuts:
-        message += (": this looks like a texture atlas, whose charts are laid out independently, and a "
-                    "larger tolerance does not help; pass the mesh to parametrize(), which computes "
-                    "coordinates that fit")
-    return Error(message, error.status, error.report)
-
-
-def _misfits(F, uv, tolerance):
-    """How many edges are cut; by how many no rotation by a multiple of 90 degrees fits; and how many
-    of these are off by more than an eighth of their length."""
-    m = len(F)
-    sides = np.sort(np.stack([F, np.roll(F, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
-    order = np.lexsort(sides.T)
-    same = (sides[order[1:]] == sides[order[:-1]]).all(axis=1)
-    first, second = order[:-1][same], order[1:][same]
-    start = uv.reshape(-1, 2)
-    end = np.roll(uv, -1, axis=1).reshape(-1, 2)
-    largest = tolerance * np.ptp(uv.reshape(3 * m, 2), axis=0).max()
-    with np.errstate(all="ignore"):
-        is_cut = np.maximum(np.abs(start[first] - end[second]).max(axis=1),
-                            np.abs(end[first] - start[second]).max(axis=1)) > largest
-        a = (end[first] - start[first])[is_cut]
-        b = (start[second] - end[second])[is_cut]
-        distance = np.full(len(a), np.inf)
-        turned = b
-        for _ in range(4):
-            distance = np.minimum(distance, np.abs(a - turned).max(axis=1))
-            turned = np.stack([-turned[:, 1], turned[:, 0]], axis=1)
-        length = np.maximum(np.abs(a).max(axis=1), np.abs(b).max(axis=1))
-        bad = distance > largest
-        return len(a), int(bad.sum()), int((bad & (8 * distance > length)).sum())

@@ -1,6 +1,7 @@
 #include "Array_surface.h"
 
 #include "Call.h"
+#include "maps/map_measures.h"
 
 #include <CGAL/Seamless_snapping/internal/IO/Used_vertices.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
@@ -20,10 +21,10 @@ using SS::internal::Used_vertices;
 [[noreturn]] void refuse_feature(const Surface_arrays& arrays, const std::size_t i)
 {
   throw Refused(SS::Outcome::INVALID_ARGUMENT,
-                "row " + std::to_string(i) + " of features: no triangle has an edge between the "
-                "vertices " + std::to_string(arrays.features[2 * i]) + " and " +
-                std::to_string(arrays.features[2 * i + 1]) +
-                "; take pairs of vertices that follow each other around a triangle");
+                row_of(i, "features") + ": no triangle has an edge between the vertices " +
+                  std::to_string(arrays.features[2 * i]) + " and " +
+                  std::to_string(arrays.features[2 * i + 1]) +
+                  remedy("take pairs of vertices that follow each other around a triangle"));
 }
 
 Soup soup_of(const Surface_arrays& arrays, const Used_vertices& used)
@@ -111,7 +112,7 @@ void Array_surface::add_border()
 
 void Array_surface::turn_if_mirrored()
 {
-  if(area_in_domain().first >= 0)
+  if(area_in_domain(mesh, uv_map).first >= 0)
     return;
   m_is_mirrored = true;
   for(const Halfedge h : m_corners)
@@ -124,32 +125,6 @@ void Array_surface::write_uv(double* uv) const
     *uv++ = uv_map[h][m_is_mirrored ? 1 : 0];
     *uv++ = uv_map[h][m_is_mirrored ? 0 : 1];
   }
-}
-
-void Array_surface::read_uv(const double* uv)
-{
-  for(const Halfedge h : m_corners) {
-    uv_map[h] = m_is_mirrored ? Kernel::Point_2(uv[1], uv[0]) : Kernel::Point_2(uv[0], uv[1]);
-    uv += 2;
-  }
-}
-
-std::pair<double, int> Array_surface::area_in_domain(const bool only_positive) const
-{
-  double largest = 0, area = 0;
-  for(const Halfedge h : m_corners)
-    largest = (std::max)({largest, std::abs(uv_map[h].x()), std::abs(uv_map[h].y())});
-  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
-  const auto scaled = [&](const Halfedge h) {
-    return Kernel::Point_2(std::ldexp(uv_map[h].x(), -exponent),
-                           std::ldexp(uv_map[h].y(), -exponent));
-  };
-  for(const auto f : mesh.faces()) {
-    const Halfedge h = mesh.halfedge(f);
-    const double of_face = CGAL::area(scaled(h), scaled(mesh.next(h)), scaled(mesh.prev(h)));
-    area += only_positive ? (std::max)(of_face, 0.) : of_face;
-  }
-  return {area, exponent};
 }
 
 std::vector<std::size_t> renamed(const std::vector<std::size_t>& rows)

@@ -4,22 +4,13 @@
 #define SEAMLESS_SNAPPING_PYTHON_ARRAY_SURFACE_H
 
 #include "arrays.h"
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include "maps/surface_types.h"
 
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Halfedge = Mesh::Halfedge_index;
-using Edge = Mesh::Edge_index;
-using Uv_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
-using Edge_bool_map = Mesh::Property_map<Edge, bool>;
 
 // Copies of the caller's arrays; those that were not passed are empty. Numbers of vertices are rows
 // of `points` if there are any.
@@ -79,11 +70,6 @@ public:
   bool is_mirrored() const { return m_is_mirrored; }
   // The coordinates of all corners, as the caller has them.
   void write_uv(double* uv) const;
-  void read_uv(const double* uv);
-
-  // The area in the plane, with signs or of the positive faces, of coordinates divided by a power
-  // of two near the largest one; and the exponent.
-  std::pair<double, int> area_in_domain(bool only_positive = false) const;
 
 private:
   std::size_t m_number_of_coinciding_border_edges = 0;

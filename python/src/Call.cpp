@@ -24,20 +24,22 @@ public:
   void run(std::function<void()>&& work)
   {
     std::exception_ptr error;
+    const auto begin = std::chrono::steady_clock::now();
     try {
       const CGAL::Linear_snapping::internal::Progress progress(
         CGAL::Linear_snapping::internal::strip(
           CGAL::Linear_snapping::parameters::visitor(std::ref(*this))));
       work();
-    } catch(const std::invalid_argument& refusal) { // of input that functions without a report get
+    } catch(const CGAL::Linear_snapping::Invalid_input& refusal) { // of functions without a report
       error = std::make_exception_ptr(
-        Refused(CGAL::Linear_snapping::Outcome::INVALID_ARGUMENT, refusal.what()));
+        Refused(CGAL::Linear_snapping::Outcome::INVALID_ARGUMENT, refusal.message));
     } catch(...) {
       error = std::current_exception();
     }
     work = nullptr; // what it owns is freed here, unless the calling thread has it, too
     const std::lock_guard<std::mutex> lock(m_mutex);
     m_error = error;
+    m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     m_is_done = true;
     m_change.notify_all();
   }
@@ -94,10 +96,11 @@ public:
     m_change.notify_all();
   }
 
-  void rethrow() const
+  double seconds_or_error() const
   {
     if(m_error)
       std::rethrow_exception(m_error);
+    return m_seconds;
   }
 
 private:
@@ -107,6 +110,7 @@ private:
   bool m_is_done = false, m_is_stopped = false, m_has_line = false;
   std::string m_line;
   std::exception_ptr m_error;
+  double m_seconds = 0;
 };
 
 constexpr std::chrono::milliseconds interval(100); // between two looks at signals
@@ -140,7 +144,7 @@ bool call(const py::object& progress, const std::string& line)
 
 } // namespace
 
-void run_apart(const py::object& progress, std::function<void()> work)
+double run_apart(const py::object& progress, std::function<void()> work)
 {
   const auto state = std::make_shared<Shared_state>(!progress.is_none());
   std::thread thread([state, work = std::move(work)]() mutable { state->run(std::move(work)); });
@@ -162,7 +166,7 @@ void run_apart(const py::object& progress, std::function<void()> work)
     throw error;
   }
   thread.join();
-  state->rethrow();
+  return state->seconds_or_error();
 }
 
 void wait_for_interrupted_calls()

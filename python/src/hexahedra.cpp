@@ -76,7 +76,7 @@ py::dict dict_of(const HM::Hexahedral_meshing_report& report, const HM::Hexahedr
   result["irregular_edges"] = report.irregular_edges;
   result["grid_scale"] = report.grid_scale;
   result["number_of_attempts"] = report.number_of_attempts;
-  result["reason_for_more"] = report.reason_for_more.str();
+  result["reason_for_more"] = report.reason_for_more;
   result["shapes_before"] = dict_of(report.shapes_before);
   result["quadrilaterals"] = rows_of_points(mesh.quadrilaterals);
   result["patches"] = array_of(mesh.patches);
@@ -95,10 +95,11 @@ py::tuple hexahedra(const Doubles& points, const Integers& tetrahedra, const Dou
   const std::shared_ptr<Meshing> meshing(
     new Meshing{rows_of<3>(points), {tetrahedra, uvw, facets, edges}, number, maximum, tolerance,
                 rounds});
-  run_apart(progress, meshing);
+  const double seconds = run_apart(progress, meshing);
   HM::Hexahedral_mesh& mesh = meshing->mesh;
-  return py::make_tuple(to_array(std::move(mesh.points)), rows_of_points(mesh.hexahedra),
-                        dict_of(meshing->report, mesh));
+  py::dict report = dict_of(meshing->report, mesh);
+  report["seconds_in_core"] = seconds;
+  return py::make_tuple(to_array(std::move(mesh.points)), rows_of_points(mesh.hexahedra), report);
 }
 
 py::dict measure_hexahedra(const Doubles& points, const Integers& hexahedra)

@@ -142,7 +142,7 @@ struct Layout
   Surface_arrays arrays;
   bool base_complex;
   std::optional<Array_surface> surface = std::nullopt;
-  std::string message = {};
+  Message message = {};
   Layout_arrays result = {};
 };
 
@@ -152,7 +152,7 @@ py::dict layout(const Doubles& points, const Integers& triangles, const Doubles&
   const std::shared_ptr<Layout> made(new Layout{{triangles, points, uv, features}, base_complex});
   run_apart(py::none(), made);
   py::dict dict = made->result.dict();
-  dict["message"] = made->message;
+  dict["message"] = with_rows(made->message, renamed(made->surface->rows()));
   return dict;
 }
 
@@ -210,9 +210,9 @@ std::vector<Start> starts_in_faces(const Array_surface& surface,
     const auto p = place_in_plane(surface, f, weights.data() + 3 * i);
     if(!p)
       throw Refused(IL::Outcome::INVALID_ARGUMENT,
-                    "row " + std::to_string(i) + " of start lies on the border of its triangle, up "
-                    "to rounding, or the triangle has no area in the plane; pass positive weights, "
-                    "or a vertex");
+                    row_of(i, "start") + " lies on the border of its triangle, up to rounding, or "
+                      "the triangle has no area in the plane" +
+                      remedy("pass positive weights, or a vertex"));
     for(int d = 0; d < 4; ++d)
       result.emplace_back(Tracer::Start::in_face(surface.corner(f, 0), p->x(), p->y()),
                           IL::Isocurve_direction(d));
@@ -275,7 +275,8 @@ struct Tracing
     const Tracer tracer(surface.mesh, surface.uv_map);
     if(!tracer.is_exact())
       throw Refused(IL::Outcome::NOT_SEAMLESS,
-                    "the coordinates are not exactly seamless; pass them through snap() first");
+                    "the coordinates are not exactly seamless" +
+                      remedy("pass them through snap() first"));
     const std::vector<Start> starts = faces.empty() ? starts_at_vertices(tracer, surface, vertices)
                                                     : starts_in_faces(surface, faces, weights);
     for(const auto& [start, direction] : starts) {

@@ -55,10 +55,11 @@ template <typename Coefficient>
 std::pair<Doubles, py::dict> snap(std::shared_ptr<Snapping<Coefficient> > snapping,
                                   const py::object& progress)
 {
-  run_apart(progress, snapping);
+  const double seconds = run_apart(progress, snapping);
   const LS::Linear_report& report = snapping->report;
   py::dict dict = ::dict_of(report);
   add_distances(dict, report);
+  dict["seconds_in_core"] = seconds;
   dict["distance_ratio"] = report.distance_ratio;
   std::vector<std::int64_t> rows;
   for(const auto& [row, multiplier] : report.certificate)

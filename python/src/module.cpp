@@ -3,6 +3,7 @@
 
 #include "Call.h"
 #include "functions.h"
+#include "reports.h"
 
 #include <CGAL/Linear_snapping/internal/support/Progress.h>
 
@@ -22,10 +23,11 @@ PYBIND11_MODULE(_core, module)
       if(pointer)
         std::rethrow_exception(pointer);
     } catch(const Refused& e) {
-      const py::tuple arguments = py::make_tuple(to_string(e.status), e.what(), e.rows);
+      const py::tuple arguments = py::make_tuple(to_string(e.status), e.message);
       PyErr_SetObject(refused->ptr(), arguments.ptr());
     }
   });
+  py::class_<Message>(module, "Message").def("parts", parts_of);
   module.attr("__version__") = SEAMLESS_SNAPPING_VERSION;
   module.def("wait_for_interrupted_calls", wait_for_interrupted_calls);
   add_snapping(module);

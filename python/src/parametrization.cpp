@@ -13,6 +13,7 @@
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <array>
@@ -108,6 +109,7 @@ struct Parametrization
   QR::Snapping_report snapped = QR::Snapping_report();
   std::vector<Vertex_pair> released = {};
   std::vector<double> uv = {};
+  double seconds = 0;
 
 private:
   void make_map()
@@ -131,9 +133,12 @@ private:
     snapped = QR::snap_to_seamless(mesh, surface->uv_map, transitions);
     if(!snapped)
       return;
+    CGAL::Real_timer timer;
+    timer.start();
     if(!QR::is_seamless(mesh, surface->uv_map,
                         QR::parameters::edge_is_constrained_map(surface->is_feature)))
       snapped.status = QR::Outcome::INTERNAL_ERROR;
+    snapped.step_times.emplace_back("verification of the result", timer.time());
     uv.resize(6 * surface->number_of_triangles());
     surface->write_uv(uv.data());
   }
@@ -149,6 +154,7 @@ py::dict dict_of(Parametrization&& map)
     cones.push_back({{std::int64_t(surface.row(v)), index}});
   result["cones"] = to_array(std::move(cones));
   result["released_edges"] = to_array(std::move(map.released));
+  result["seconds_in_core"] = map.seconds;
   result["genus"] = map.made.genus;
   result["number_of_components"] = map.made.number_of_components;
   result["number_of_border_loops"] = map.made.number_of_border_loops;
@@ -156,7 +162,10 @@ py::dict dict_of(Parametrization&& map)
   result["extent"] = map.made.extent;
   result["violation_before"] = map.made.violation;
   result["largest_change"] = map.snapped.largest_change;
-  result["step_times"] = ::dict_of(map.made.step_times);
+  auto step_times = map.made.step_times;
+  step_times.insert(step_times.end(), map.snapped.step_times.begin(),
+                    map.snapped.step_times.end());
+  result["step_times"] = ::dict_of(step_times);
   return result;
 }
 
@@ -169,7 +178,7 @@ parametrize(const Doubles& points, const Integers& triangles,
   const std::shared_ptr<Parametrization> map(new Parametrization{
     {triangles, points, std::nullopt, features}, align_border, curvature, copy_of(directions),
     weld});
-  run_apart(progress, map);
+  map->seconds = run_apart(progress, map);
   const bool has_map = map->snapped && !map->uv.empty();
   Doubles uv = has_map ? Doubles(to_array<double>(std::move(map->uv), {triangles.shape(0), 3, 2}))
                        : Doubles(std::vector<py::ssize_t>{0, 3, 2});

@@ -27,7 +27,7 @@ void check_closed_seams(const Array_surface& surface, const std::optional<bool> 
   throw Refused(CGAL::Linear_snapping::Outcome::INVALID_ARGUMENT,
                 std::to_string(number) + " border edges lie in the same place as others, as in a "
                 "mesh that is cut open along the seams of a texture, or has its own points for each "
-                "face; pass weld=True to join them, or weld=False if they are to stay open");
+                "face" + remedy("pass weld=True to join them, or weld=False if they are to stay open"));
 }
 
 void scale_near_one(Mesh& mesh)

@@ -9,17 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-struct Quad_mesh
-{
-  Mesh mesh;
-  Edge_bool_map is_feature = mesh.add_property_map<Edge, bool>("e:feature", false).first;
-};
-
 struct Quad_arrays
 {
-  explicit Quad_arrays(const Quad_mesh& quads)
+  Quad_arrays(const Mesh& mesh, const Edge_bool_map& is_feature)
   {
-    const Mesh& mesh = quads.mesh;
     std::vector<std::int64_t> number(mesh.num_vertices(), 0);
     for(const auto v : mesh.vertices()) {
       number[v] = std::int64_t(points.size());
@@ -36,7 +29,7 @@ struct Quad_arrays
         others.push_back(corners);
     }
     for(const auto e : mesh.edges())
-      if(quads.is_feature[e])
+      if(is_feature[e])
         features.push_back({{number[mesh.vertex(e, 0)], number[mesh.vertex(e, 1)]}});
   }
 

@@ -44,8 +44,9 @@ struct Wishes
 };
 
 struct Located_quads
-  : public Quad_mesh
 {
+  Mesh mesh;
+  Edge_bool_map is_feature = mesh.add_property_map<Edge, bool>("e:feature", false).first;
   Mesh::Property_map<Mesh::Vertex_index, Location> of_vertex =
     mesh.add_property_map<Mesh::Vertex_index, Location>("v:location").first;
   Mesh::Property_map<Mesh::Face_index, Location> of_face =
@@ -66,7 +67,8 @@ std::optional<Kernel::Plane_3> plane_of(const Wishes& wishes, const Mesh& mesh)
   if(!plane)
     throw Refused(QR::Outcome::INVALID_ARGUMENT,
                   "symmetry: the vertices are not symmetric, exactly, by a plane across a coordinate "
-                  "axis; pass 'x', 'y', 'z', or the four numbers of a plane to mirror one half");
+                  "axis" + remedy("pass 'x', 'y', 'z', or the four numbers of a plane to mirror one "
+                                  "half"));
   return plane;
 }
 
@@ -95,10 +97,10 @@ std::size_t most_quads(const Wishes& wishes, const Mesh& mesh, const Sizing_map&
     if(!(wanted <= most))
       throw Refused(QR::Outcome::INVALID_ARGUMENT,
                     "edge_length makes more than " + std::to_string(std::size_t(most)) +
-                      " quads; pass a larger one, or a larger maximum");
+                      " quads" + remedy("pass a larger one, or a larger maximum"));
     if(wanted < 1)
       throw Refused(QR::Outcome::INVALID_ARGUMENT,
-                    "edge_length makes less than one quad; pass a smaller one");
+                    "edge_length makes less than one quad" + remedy("pass a smaller one"));
   }
   return wishes.maximum_number.value_or(
     std::size_t((std::max)(100 * wanted, least_maximum)));
@@ -111,7 +113,7 @@ struct Remeshing
     surface.emplace(std::move(arrays), weld.value_or(false));
     check_closed_seams(*surface, weld);
     make_quads();
-    result.emplace(quads);
+    result.emplace(quads.mesh, quads.is_feature);
     for(const auto v : quads.mesh.vertices()) {
       faces_of_vertices.push_back(std::int64_t(quads.of_vertex[v].first));
       weights_of_vertices.push_back(surface->in_order_of_row(quads.of_vertex[v]));
@@ -207,10 +209,11 @@ py::tuple quad_remesh(const Doubles& points, const Integers& triangles,
 {
   const std::shared_ptr<Remeshing> remeshing(new Remeshing{
     {triangles, points, std::nullopt, features}, copy_of(directions), copy_of(sizes), wishes, weld});
-  run_apart(progress, remeshing);
+  const double seconds = run_apart(progress, remeshing);
   const Located_quads& quads = remeshing->quads;
   Quad_arrays& result = *remeshing->result;
   py::dict report = dict_of(quads.report, *remeshing->surface);
+  report["seconds_in_core"] = seconds;
   report["has_area_threshold"] = wishes.area_threshold.has_value();
   if(quads.plane)
     report["symmetry_plane"] = std::array<double, 4>{

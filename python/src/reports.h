@@ -4,7 +4,9 @@
 #define SEAMLESS_SNAPPING_PYTHON_REPORTS_H
 
 #include "Array_surface.h"
+#include "Call.h"
 #include "arrays.h"
+#include "maps/map_measures.h"
 
 #include <CGAL/Linear_snapping/types/Linear_report.h>
 #include <CGAL/Linear_snapping/types/Report.h>
@@ -13,6 +15,21 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+// The parts of a message: kind, words, and the number of an element or None.
+inline py::list parts_of(const Message& message)
+{
+  py::list result;
+  for(const Message::Part& part : message.parts()) {
+    const char* const kind = part.kind == Message::TEXT     ? "text"
+                             : part.kind == Message::TERM   ? "term"
+                             : part.kind == Message::REMEDY ? "remedy"
+                                                            : "element";
+    result.append(py::make_tuple(kind, part.words, part.kind < Message::FACE
+                                   ? py::object(py::none()) : py::object(py::int_(part.index))));
+  }
+  return result;
+}
 
 inline py::dict dict_of(const std::vector<std::pair<std::string, double> >& step_times)
 {
@@ -28,12 +45,9 @@ inline py::dict dict_of(const CGAL::Linear_snapping::Report& report,
                         const Array_surface* const surface = nullptr)
 {
   using namespace py::literals;
-  py::dict result("success"_a = bool(report), "status"_a = to_string(report.status),
-                  "message"_a = report.message.str());
-  if(surface != nullptr)
-    if(auto rows = renamed(surface->rows()); !rows.empty())
-      result["rows"] = std::move(rows);
-  return result;
+  return py::dict("success"_a = bool(report), "status"_a = to_string(report.status),
+                  "message"_a = surface == nullptr ? report.message
+                                  : with_rows(report.message, renamed(surface->rows())));
 }
 
 inline void add_distances(py::dict& result, const CGAL::Linear_snapping::Linear_report& report)
@@ -43,6 +57,16 @@ inline void add_distances(py::dict& result, const CGAL::Linear_snapping::Linear_
   result["largest_change"] = report.largest_change;
   result["mean_change"] = report.mean_change;
   result["step_times"] = dict_of(report.step_times);
+}
+
+// For maps that are not seamless.
+inline void add_misfits(py::dict& result, const Misfits& misfits)
+{
+  if(misfits.number_of_misfits == 0)
+    return;
+  result["number_of_cut_edges"] = misfits.number_of_cut_edges;
+  result["number_of_misfits"] = misfits.number_of_misfits;
+  result["looks_like_atlas"] = misfits.looks_like_atlas();
 }
 
 // \param faces what the elements of the mesh are called: faces or cells

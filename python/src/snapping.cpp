@@ -31,6 +31,8 @@ struct Snapping
       surface->mesh, surface->uv_map,
       SS::parameters::edge_is_constrained_map(surface->is_feature).tolerance(tolerance)
         .repair_flips(repair_flips ? SS::Flip_repair::UNTANGLE : SS::Flip_repair::NONE));
+    if(report.status == SS::Outcome::NOT_SEAMLESS)
+      misfits = count_misfits(surface->mesh, surface->uv_map, tolerance);
     result.resize(6 * surface->number_of_triangles());
     surface->write_uv(result.data());
   }
@@ -41,6 +43,7 @@ struct Snapping
   bool repair_flips, weld;
   std::optional<Array_surface> surface = std::nullopt;
   SS::Snapping_report report = SS::Snapping_report();
+  Misfits misfits = {};
   std::vector<double> result = {};
 };
 
@@ -52,11 +55,13 @@ snap(const Integers& triangles, const Doubles& uv, const std::optional<Doubles>&
 {
   const std::shared_ptr<Snapping> snapping(
     new Snapping{{triangles, points, uv, features}, align_border, tolerance, repair_flips, weld});
-  run_apart(progress, snapping);
+  const double seconds = run_apart(progress, snapping);
   py::dict dict = dict_of(snapping->report, "faces", &*snapping->surface);
   dict["number_of_cut_edges"] = snapping->report.run.number_of_cut_edges;
   dict["number_of_merged_edges"] = snapping->report.run.number_of_merged_edges;
   dict["number_of_changed_cones"] = snapping->report.run.number_of_changed_cones;
+  add_misfits(dict, snapping->misfits);
+  dict["seconds_in_core"] = seconds;
   dict["mirrored"] = snapping->surface->is_mirrored();
   return {to_array<double>(std::move(snapping->result), {triangles.shape(0), 3, 2}), dict};
 }

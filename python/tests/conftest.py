@@ -1,14 +1,47 @@
 """What all tests share: meshes of the C++ tests, and the program."""
 
+import inspect
 import os
 import pathlib
+import re
 import subprocess
 
 import numpy as np
 import pytest
 
+import seamless
+
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 DATA = SOURCE / "test" / "Seamless_snapping" / "data"
+# the named parameters of C++ that are no plain words
+CPP_NAMES = {name for page in SOURCE.glob("include/CGAL/**/*.h") for name in
+             re.findall(r"\\cgalParamNBegin\{(\w+_\w+)\}", page.read_text(encoding="utf-8"))}
+
+
+def parameters(function):
+    is_function = inspect.isfunction(function)
+    return set(inspect.signature(function).parameters) if is_function else set()
+
+
+def assert_plain(error, function=None):
+    """A message has no words of C++, and names the argument, or the element, that is invalid.
+
+    Without a function, the message may name the parameters of all.
+    """
+    message = str(error)
+    names = parameters(function) if function else set()
+    mentioned = set(re.findall(r"(\w+)\(\)", message)) if function else set(seamless.__all__)
+    known = names.union(*map(parameters, (getattr(seamless, name) for name in
+                                          mentioned.intersection(seamless.__all__))))
+    for word in CPP_NAMES - known:
+        assert not re.search(rf"\b{word}\b", message), message
+    assert not re.search(r"::|<\w|\w>|\((?:true|false|\d+)\)|\b(?:std|size_t|halfedge)\b", message), message
+    for part in (error.reason, error.remedy or "", error.place or ""):
+        assert part in message
+    assert error.reason
+    if function and error.status in ("invalid argument", "not finite"):
+        names_argument = any(re.search(rf"\b{name}\b", message) for name in names)
+        assert names_argument or error.place or "the mesh" in message, message
 
 
 class Obj:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import seamless
-from conftest import DATA, Obj
+from conftest import DATA, Obj, assert_plain
 
 
 @pytest.fixture(scope="module")
@@ -29,6 +29,25 @@ def test_own_integers():
         seamless.extract_quads(V, F, uv * [12.3, 8])
     V2, Q = seamless.extract_quads(V, F, uv * [6, 4], grid_scale=2)
     assert Q.shape == (96, 4)
+
+
+def test_refused_maps():
+    F, uv = seamless.examples.inexact_map()
+    V = np.random.default_rng(5).random((96, 3))
+    with pytest.raises(seamless.Error, match="enclose no area") as caught:
+        seamless.extract_quads(V, F, 0 * uv, quads=20)
+    assert caught.value.status == caught.value.report["status"] == "not positive"
+    assert caught.value.remedy == "parametrize() computes others"
+    uv[8, 1, 1] = 0.77
+    for options in ({}, {"quads": 100}):
+        with pytest.raises(seamless.Error, match="cut edges don't fit") as caught:
+            seamless.extract_quads(V, F, uv, **options)
+        assert caught.value.status == "not seamless" and "snap()" in caught.value.remedy
+        assert {int(w) for w in caught.value.place.split() if w.isdigit()} <= set(F[8].tolist())
+        assert_plain(caught.value, seamless.extract_quads)
+    atlas = np.random.default_rng(3).random((len(F), 3, 2))
+    with pytest.raises(seamless.Error, match="texture atlas"):
+        seamless.extract_quads(V, F, atlas, quads=100)
 
 
 def test_quantization(torus):
