@@ -39,6 +39,8 @@ def bad(value, index, with_):
     (lambda: seamless.quad_remesh(V, F, edge_length=0), "edge_length is 0, but must be more than 0"),
     (lambda: seamless.quad_remesh(V, F, edge_length=np.nan), "edge_length must be finite"),
     (lambda: seamless.quad_remesh(V, F, feature_loss=2), "feature_loss is 2"),
+    (lambda: seamless.parametrize(V, F, curvature=1e-30), "'curvature' must be 0, or at least"),
+    (lambda: seamless.quad_remesh(0 * V, F), "rows of V that triangles have are the same point"),
     (lambda: seamless.quad_remesh(V, F, sizes=np.ones(3)), r"sizes has the shape \(3,\)"),
     (lambda: seamless.quad_remesh(V, F, sizes=bad(np.ones(len(V)), 6, 0)), "row 6 of sizes is 0"),
     (lambda: seamless.quad_remesh(V, F, features=[[0, 500]]), "row 0 of features has the index 500"),

@@ -25,8 +25,9 @@ def test_own_integers():
     V2, Q, report = seamless.extract_quads(V, F, uv * [12, 8], report=True)
     assert Q.shape == (96, 4) and euler_number(V2, Q) == 0
     assert np.allclose(sorted(V2.tolist()), sorted(V.tolist()), atol=1e-5)  # the noise is left inside
-    with pytest.raises(seamless.Error, match="'rounding'|integer"):
+    with pytest.raises(seamless.Error, match="'rounding' is 0.01; ask for a number of 'quads'") as caught:
         seamless.extract_quads(V, F, uv * [12.3, 8])
+    assert_plain(caught.value, seamless.extract_quads)
     V2, Q = seamless.extract_quads(V, F, uv * [6, 4], grid_scale=2)
     assert Q.shape == (96, 4)
 
