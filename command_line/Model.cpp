@@ -4,6 +4,7 @@
 #include "Progress.h"
 #include "files.h"
 #include "words.h"
+#include "maps/map_measures.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/IO/PLY.h>
@@ -150,7 +151,7 @@ void parse(const Reading_options& options, Model& model)
                                                     : read_as<double>(options.weld, model);
   if(!status)
     throw Failure(UNREADABLE, model.filename + ": " + in_words_of_user(status.message));
-  model.is_mirrored = area_in_domain(model).first < 0;
+  model.is_mirrored = area_in_domain(model.mesh, model.uv_map).first < 0;
   if(model.is_mirrored)
     exchange_coordinates(model);
   model.file_vertices = model.file.vertex_numbers();
@@ -237,26 +238,6 @@ void read_model(const std::string& filename, const Reading_options& options, Mod
   model.file = corners ? SS::IO::Mesh_text(*corners, obj)
                        : SS::IO::Mesh_text(text, is_special_file(filename) ? "" : suffix_of(filename));
   parse(options, model);
-}
-
-std::pair<double, int> area_in_domain(const Model& model, const bool only_positive)
-{
-  double largest = 0, area = 0;
-  for(const Halfedge h : model.mesh.halfedges())
-    if(!model.mesh.is_border(h))
-      largest = (std::max)({largest, std::abs(model.uv_map[h].x()), std::abs(model.uv_map[h].y())});
-  const int exponent = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
-  const auto scaled = [&](const Halfedge h) {
-    return Kernel::Point_2(std::ldexp(model.uv_map[h].x(), -exponent),
-                           std::ldexp(model.uv_map[h].y(), -exponent));
-  };
-  for(const auto f : model.mesh.faces()) {
-    const Halfedge h = model.mesh.halfedge(f);
-    const double of_face =
-      CGAL::area(scaled(h), scaled(model.mesh.next(h)), scaled(model.mesh.prev(h)));
-    area += only_positive ? (std::max)(of_face, 0.) : of_face;
-  }
-  return {area, exponent};
 }
 
 void read_again(const Model& other, const Reading_options& options, Model& model)

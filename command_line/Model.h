@@ -3,23 +3,15 @@
 #ifndef SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H
 #define SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H
 
+#include "maps/surface_types.h"
+
 #include <CGAL/Seamless_snapping/IO/Mesh_text.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Halfedge = Mesh::Halfedge_index;
-using Edge = Mesh::Edge_index;
-using Uv_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
-using Edge_bool_map = Mesh::Property_map<Edge, bool>;
-using Message = CGAL::Seamless_snapping::Message;
 
 // The property maps belong to `mesh`, so that a model is neither copied nor moved.
 struct Model
@@ -82,12 +74,6 @@ void read_model(const std::string& filename, const Reading_options& options, Mod
 
 // The file of another model, read with other options. Throws `Failure`.
 void read_again(const Model& other, const Reading_options& options, Model& model);
-
-// The sum of the areas of all faces, with signs, or of those that are positive, of the coordinates
-// divided by a power of two near the largest one, so that it is neither 0 nor infinite as they are
-// tiny or huge; and the exponent.
-// It is not negative in a model that was read.
-std::pair<double, int> area_in_domain(const Model& model, bool only_positive = false);
 
 // What to tell of mirrored maps, of border edges that coincide, of what was welded, and of vertices
 // that were added; empty if there is nothing.

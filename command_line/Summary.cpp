@@ -132,7 +132,7 @@ void check_snapped(const CGAL::Seamless_snapping::Snapping_report& report, const
     return;
   if(const std::string far = note_on_far_coordinate(model); !far.empty())
     throw Failure(NOT_SOLVED, model.filename + ": " + to_string(report.status) + ": " + far);
-  const Misfits misfits = count_misfits(model, tolerance);
+  const Misfits misfits = count_misfits(model.mesh, model.uv_map, tolerance);
   CGAL::Seamless_snapping::Snapping_report told(report);
   if(misfits.looks_like_atlas()) // for which no remedy serves
     told.message = report.message.without_remedies();

@@ -65,7 +65,7 @@ void check(const Arguments& arguments)
   summary.before = measure(model, alignment);
   bool is_exact = summary.before.is_exact();
   std::string message = is_exact ? "" : input + ": not exactly seamless";
-  const Misfits misfits = count_misfits(model, seam_options.tolerance);
+  const Misfits misfits = count_misfits(model.mesh, model.uv_map, seam_options.tolerance);
   if(misfits.number_of_misfits > 0)
     message += ": " + to_text(misfits);
   if(summary.coinciding_border_edges > 0 && !seam_options.reading.weld && !keeps_open) {

@@ -12,39 +12,6 @@
 
 namespace SS = CGAL::Seamless_snapping;
 
-namespace {
-
-// The lesser change of a coordinate along an edge, on the side where that is larger.
-double misalignment(const Model& model, const Edge e)
-{
-  const Mesh& mesh = model.mesh;
-  double result = 0;
-  for(const Halfedge h : {mesh.halfedge(e), mesh.opposite(mesh.halfedge(e))})
-    if(!mesh.is_border(h)) {
-      const Kernel::Vector_2 change = model.uv_map[h] - model.uv_map[mesh.prev(h)];
-      result = (std::max)(result, (std::min)(std::abs(change.x()), std::abs(change.y())));
-    }
-  return result;
-}
-
-double largest_component(const Kernel::Vector_2& v)
-{
-  return (std::max)(std::abs(v.x()), std::abs(v.y()));
-}
-
-// How far the sides of an edge are from each other under the rotation that fits best.
-double misfit(const Kernel::Vector_2& side, Kernel::Vector_2 other)
-{
-  double least = largest_component(side - other);
-  for(int k = 1; k < 4; ++k) {
-    other = other.perpendicular(CGAL::COUNTERCLOCKWISE);
-    least = (std::min)(least, largest_component(side - other));
-  }
-  return least;
-}
-
-} // namespace
-
 void Seam_options::add_to(Options& options)
 {
   options.add("weld", reading.weld,
@@ -90,16 +57,14 @@ Alignment::Alignment(Model& model, const Seam_options& options)
 {
   if(!options.features && !options.align_border)
     return;
-  const SS::Seamlessness survey = SS::measure_seamlessness(model.mesh, model.uv_map);
-  const double extent = survey.extent;
   const double tolerance =
     options.has_tolerance
-      ? options.tolerance * extent
-      : (std::min)((std::max)(100 * survey.violation, 1e-9 * extent), 1e-4 * extent);
+      ? options.tolerance * SS::measure_seamlessness(model.mesh, model.uv_map).extent
+      : tolerance_of_alignment(model.mesh, model.uv_map);
   for(const Edge e : model.mesh.edges()) {
     const bool is_asked = (options.features && model.is_feature[e])
                           || (options.align_border && model.mesh.is_border(e));
-    is_aligned[e] = is_asked && misalignment(model, e) <= tolerance;
+    is_aligned[e] = is_asked && misalignment(model.mesh, model.uv_map, e) <= tolerance;
     number_of_aligned_edges += is_aligned[e] ? 1 : 0;
     number_of_left_out_edges += (is_asked && !is_aligned[e]) ? 1 : 0;
   }
@@ -109,32 +74,6 @@ SS::Seamlessness measure(const Model& model, const Alignment& alignment)
 {
   return SS::measure_seamlessness(model.mesh, model.uv_map,
                                   SS::parameters::edge_is_constrained_map(alignment.is_aligned));
-}
-
-Misfits count_misfits(const Model& model, const double tolerance)
-{
-  const Mesh& mesh = model.mesh;
-  const double largest = tolerance * SS::measure_seamlessness(mesh, model.uv_map).extent;
-  Misfits result;
-  for(const Edge e : mesh.edges()) {
-    if(mesh.is_border(e))
-      continue;
-    ++result.number_of_edges;
-    const Halfedge h = mesh.halfedge(e), g = mesh.opposite(h);
-    const auto &a = model.uv_map[mesh.prev(h)], &b = model.uv_map[h];
-    const auto &a_opposite = model.uv_map[g], &b_opposite = model.uv_map[mesh.prev(g)];
-    if((std::max)(largest_component(a - a_opposite), largest_component(b - b_opposite)) <= largest)
-      continue;
-    ++result.number_of_cut_edges;
-    const Kernel::Vector_2 side = b - a, opposite = b_opposite - a_opposite;
-    const double distance = misfit(side, opposite);
-    const double length = (std::max)(largest_component(side), largest_component(opposite));
-    if(distance > largest) {
-      ++result.number_of_misfits;
-      result.number_of_gross_misfits += 8 * distance > length ? 1 : 0;
-    }
-  }
-  return result;
 }
 
 std::string note_on_far_coordinate(const Model& model)

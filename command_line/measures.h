@@ -5,6 +5,7 @@
 
 #include "Model.h"
 #include "Options.h"
+#include "maps/map_measures.h"
 
 #include <CGAL/Seamless_snapping/is_seamless.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
@@ -41,25 +42,6 @@ struct Alignment
 };
 
 CGAL::Seamless_snapping::Seamlessness measure(const Model& model, const Alignment& alignment);
-
-// Cut edges, and how many of them no rotation by a multiple of 90 degrees fits up to the tolerance.
-struct Misfits
-{
-  std::size_t number_of_cut_edges = 0, number_of_misfits = 0;
-  std::size_t number_of_edges = 0; // inside
-  std::size_t number_of_gross_misfits = 0; // which are off by more than an eighth of their length
-
-  // In an atlas, charts are laid out and scaled independently: hardly an edge fits by chance. Where
-  // a solver was not asked to close the seams, most edges don't fit either, but are not far off.
-  // Nor is each triangle a chart of its own anywhere else.
-  bool looks_like_atlas() const
-  {
-    return number_of_gross_misfits > 0 && (number_of_cut_edges == number_of_edges ||
-                                           2 * number_of_gross_misfits > number_of_cut_edges);
-  }
-};
-
-Misfits count_misfits(const Model& model, double tolerance);
 
 // Names a coordinate that is a million times larger than most, if there are few of these; else empty.
 std::string note_on_far_coordinate(const Model& model);

@@ -4,17 +4,12 @@
 #define SEAMLESS_SNAPPING_COMMAND_LINE_PLAIN_MESHES_H
 
 #include "Model.h"
+#include "maps/map_quads.h"
 
 #include <cstddef>
 #include <iosfwd>
 #include <string>
 #include <vector>
-
-struct Quad_soup
-{
-  std::vector<Kernel::Point_3> points;
-  std::vector<std::vector<std::size_t> > polygons;
-};
 
 // Throws `Failure` if it is not the name of a file that quads can be written to.
 void check_quad_file(const std::string& filename);

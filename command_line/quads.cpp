@@ -14,19 +14,14 @@
 #include "plain_meshes.h"
 #include "shape_report.h"
 #include "pictures/quad_picture.h"
-#include "snap_model.h"
 #include "words.h"
+#include "maps/map_quads.h"
 
-#include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/measure_quad_shapes.h>
-#include <CGAL/Quad_remeshing/quad_remesh.h>
-#include <CGAL/Quad_remeshing/quantize.h>
-#include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <limits>
@@ -43,7 +38,7 @@ struct Quad_options
 {
   Seam_options seams;
   std::string input, output, picture, patches, report;
-  double scale = 1, number = 0, rounding = 0.01;
+  double scale = 1, number = 0, rounding = 0;
   bool allow_holes = false, soup = false, has_rounding = false;
 
   bool parse(const Arguments& arguments)
@@ -87,8 +82,6 @@ struct Quad_options
     seams.check(options);
     seams.check_repair(options);
     has_rounding = options.is_given("rounding");
-    if(options.is_given("number") && !has_rounding)
-      rounding = 0.5;
     check_number_of_faces("number", number, "quads", "; --grid-scale makes more");
     check_quad_file(output);
     check_picture(picture);
@@ -100,73 +93,56 @@ struct Quad_options
 
 const std::string other_coordinates = "; 'seamless parametrize' computes others";
 
-// The area in the domain becomes the number of quads, but for that of holes. It is known before the
-// seams are, whose refusal users are to see.
-double scale_for_number(const Model& model, const Quad_options& options)
-{
-  if(options.number == 0)
-    return options.scale;
-  const auto [area, exponent] = area_in_domain(model, options.allow_holes);
-  if(!(area > 0))
-    throw Failure(NOT_SOLVED, options.input + ": the coordinates enclose no area, or none beside a "
-                                              "much larger coordinate" + other_coordinates);
-  return std::ldexp(std::sqrt(options.number / area), -exponent);
-}
-
-QR::Snapping_report snap_to_integers(const Quad_options& options, const double rounding,
-                                     Model& model)
-{
-  const Alignment alignment(model, options.seams);
-  const Progress progress("snapping " + counted(model.mesh.number_of_faces(), "face"),
-                          options.seams.reading.verbose);
-  return QR::snap_to_seamless(
-    model.mesh, model.uv_map,
-    snapping_parameters(alignment, options.seams).integer_grid(true).rounding_tolerance(rounding)
-      .grid_scale(scale_for_number(model, options)));
-}
-
-// What is written, and how it was made.
+// What is written, and what is told of it.
 struct Result
+  : public Map_quads
 {
-  QR::Extraction_report report;
-  Quad_soup soup;
-  Mesh mesh;
-  Edge_bool_map is_feature;
-  QR::Snapping_report snapped; // to integers, unless there is a quantization
-  QR::Snapping_report repaired; // of what was extracted or quantized
-  std::string integers;        // which they are
-  std::string why_rounded;     // where there was to be a quantization
-  std::optional<QR::Remeshing_report> smoothed; // how far, if vertices were smoothed
-  double diagonal = 0;                          // of the input
-  // where the result is a mesh
+  double diagonal = 0; // of the input
+  // if the result is a mesh
   std::size_t number_of_irregular_vertices = 0;
   std::optional<Topologies> topologies;
   QR::Quad_shapes shapes;
   std::optional<Patch_counts> patches;
-
-  bool is_rounded() const { return snapped.run.number_of_faces > 0; }
 };
 
-// With the border aligned where it is nearly. Flips are repaired near by without being asked for.
-QR::Quantization quantize(const Quad_options& options, Model& model, Result& result)
+Map_quad_options options_of_maps(const Quad_options& options, Model& model,
+                                 std::optional<Progress>& progress)
 {
-  Seam_options seams = options.seams;
-  seams.align_border = true;
-  const Alignment alignment(model, seams);
-  const Progress progress("quantizing", options.seams.reading.verbose);
-  const auto snap_and_quantize = [&] {
-    result.repaired = snap_in_double(model, alignment, seams);
-    check_snapped(result.repaired, model, seams.tolerance);
-    return QR::quantize(model.mesh, model.uv_map,
-                        QR::parameters::edge_is_constrained_map(model.is_feature)
-                          .needs_face_graph(!options.soup)
-                          .target_number_of_quads(static_cast<std::size_t>(options.number)));
+  Map_quad_options result;
+  result.number = options.number;
+  result.grid_scale = options.scale;
+  if(options.has_rounding)
+    result.rounding = options.rounding;
+  result.allow_holes = options.allow_holes;
+  result.soup = options.soup;
+  result.repair_flips = options.seams.repair_flips;
+  result.verbose = options.seams.reading.verbose;
+  result.tolerance = options.seams.tolerance;
+  result.untangling_iterations = options.seams.untangling_iterations;
+  result.align_border = options.seams.align_border;
+  result.alignment = [&](const bool with_border) {
+    Seam_options seams = options.seams;
+    seams.align_border = with_border;
+    return Alignment(model, seams).is_aligned;
   };
-  const QR::Quantization quantization = snap_and_quantize();
-  if(quantization.nonpositive_faces.empty() || options.seams.repair_flips)
-    return quantization;
-  seams.repairs_flips_near_by = true;
-  return snap_and_quantize();
+  result.tell = [&](const std::string& step) {
+    progress.reset(); // a line ends before the next one begins
+    progress.emplace(step, options.seams.reading.verbose);
+  };
+  return result;
+}
+
+void make_quads(const Quad_options& options, Model& model, Result& result)
+{
+  std::optional<Progress> progress;
+  try {
+    static_cast<Map_quads&>(result) = make_map_quads(options_of_maps(options, model, progress),
+                                                     model.mesh, model.uv_map, model.is_feature);
+  } catch(const Not_snapped& refusal) {
+    progress.reset();
+    result.repaired = refusal.report;
+    check_snapped(result.repaired, model, options.seams.tolerance);
+  }
 }
 
 // In the words of the command line.
@@ -191,158 +167,9 @@ void check_report(const Quad_options& options, const Model& model, const Result&
     in_words_of_user(has_flips ? flips_message(options, model, report.nonpositive_faces)
                                : to_string(report.status) + (": " + report.message), model);
   if(!result.why_rounded.empty())
-    why += "; integers at any distance are tried, as " + result.why_rounded;
+    why += "; integers at any distance are tried, because " +
+           in_words_of_user(result.why_rounded, model);
   throw Failure(NOT_SOLVED, options.input + ": " + why);
-}
-
-// `input` is the mesh and its map, or a quantization and the mesh.
-template <typename NamedParameters, typename... Input>
-void extract(const Quad_options& options, Result& result, const NamedParameters& np,
-             const Input&... input)
-{
-  const Progress progress("extracting quads", options.seams.reading.verbose);
-  using Tag = CGAL::Parallel_if_available_tag;
-  if(options.soup) {
-    result.report =
-      QR::extract_quad_soup<Tag>(input..., result.soup.points, result.soup.polygons, np);
-    return;
-  }
-  result.is_feature = result.mesh.add_property_map<Edge, bool>("e:feature", false).first;
-  result.report = QR::extract_quad_mesh<Tag>(
-    input..., result.mesh, np, QR::parameters::edge_is_constrained_map(result.is_feature));
-  result.mesh.collect_garbage();
-}
-
-void extract_map(const Quad_options& options, const Model& model, Result& result)
-{
-  extract(options, result,
-          QR::parameters::edge_is_constrained_map(model.is_feature)
-            .allow_holes(options.allow_holes), model.mesh, model.uv_map);
-}
-
-void extract_rounded(const Quad_options& options, Model& model, const double rounding,
-                     Result& result)
-{
-  result.snapped = result.repaired = snap_to_integers(options, rounding, model);
-  check_snapped(result.snapped, model, options.seams.tolerance);
-  extract_map(options, model, result);
-}
-
-// Whether the border is meant to lie on isocurves: most of it does.
-bool has_aligned_border(Model& model, const Quad_options& options)
-{
-  Seam_options seams = options.seams;
-  seams.align_border = true;
-  const Alignment alignment(model, seams);
-  std::size_t number = 0, number_of_others = 0;
-  for(const Edge e : model.mesh.edges())
-    if(model.mesh.is_border(e))
-      ++(alignment.is_aligned[e] ? number : number_of_others);
-  return 3 * number_of_others <= number;
-}
-
-// The quads of the same quantization, in a better shape.
-void extract_and_smooth(const Quad_options& options, const Model& model,
-                        const QR::Quantization& quantization, Result& result)
-{
-  const Progress progress("smoothing quads", options.seams.reading.verbose);
-  result.mesh.clear();
-  result.is_feature = result.mesh.add_property_map<Edge, bool>("e:feature", false).first;
-  const QR::Remeshing_report made = QR::quad_remesh(
-    quantization, model.mesh, result.mesh, QR::parameters::default_values(),
-    QR::parameters::edge_is_constrained_map(result.is_feature));
-  QR::Extraction_report& report = result.report;
-  report.status = made.status;
-  report.message = made.message;
-  report.number_of_faces = made.number_of_quads;
-  report.number_of_vertices = made.number_of_vertices;
-  report.number_of_inverted_quads = made.number_of_inverted_quads;
-  report.first_inverted_quads = made.first_inverted_quads;
-  result.smoothed = made;
-  result.diagonal = diagonal(model.mesh);
-}
-
-// Smooths them where quads are inverted otherwise: where the map is much distorted, and where two
-// sides of a quad follow one edge of the border.
-void extract_quantized(const Quad_options& options, const Model& model,
-                       const QR::Quantization& quantization, Result& result)
-{
-  result.integers = "of a quantization";
-  if(!quantization.message.empty())
-    result.integers += "; " + in_words_of_user(quantization.message, model);
-  extract(options, result, QR::parameters::default_values(), quantization, model.mesh);
-  const std::size_t number = result.report.number_of_inverted_quads;
-  const bool has_steps = quantization.number_of_unaligned_border_edges > 0;
-  if(!result.report || options.soup || (number == 0 && !has_steps))
-    return;
-  extract_and_smooth(options, model, quantization, result);
-  result.integers += "; vertices are smoothed";
-  if(has_steps)
-    result.integers += ", and edges next to the border moved";
-  if(number > 0)
-    result.integers += ", as " + counted(number, "quad") + (number == 1 ? " was" : " were") +
-                       " inverted";
-}
-
-// Of the area in the domain.
-double part_left_out(const QR::Extraction_report& report)
-{
-  return report.number_of_cut_cells == 0 ? 0
-                                         : 1 - double(report.number_of_faces) / report.area;
-}
-
-// By the integers that are near in the map itself, if there are and make about the number; or by a
-// quantization, also where that can't make so few, so that it never makes more than for a larger
-// number, and if fewer quads are inverted in it; or, where faces are flipped, by integers at any
-// distance. Where the border is not meant to be aligned, a quantization comes last, as it follows
-// the border edge by edge: where there are no quads otherwise, or they leave out more than half of
-// the area.
-void make_number_of_quads(const Quad_options& options, Model& model, Result& result)
-{
-  constexpr double tolerance = 0.05;
-  const Uv_map input = copy_of_uv_map(model);
-  const auto restore = [&] {
-    for(const Halfedge h : model.mesh.halfedges())
-      model.uv_map[h] = input[h];
-  };
-  Result near_by;
-  near_by.snapped = near_by.repaired = snap_to_integers(options, options.rounding, model);
-  if(near_by.snapped && near_by.snapped.lost_faces.empty() &&
-     near_by.snapped.remaining_flips.empty())
-    extract_map(options, model, near_by);
-  near_by.integers = "those nearest in the map";
-  const double number = static_cast<double>(near_by.report.number_of_faces);
-  const bool is_near = near_by.report && std::abs(number / options.number - 1) <= tolerance;
-  restore();
-  const bool is_aligned = has_aligned_border(model, options);
-  QR::Quantization quantization;
-  if(is_aligned)
-    quantization = quantize(options, model, result);
-  const double least = static_cast<double>(quantization.number_of_quads);
-  const bool is_chosen = is_near && !(quantization && least > (1 + tolerance) * options.number);
-  const std::size_t number_inverted = near_by.report.number_of_inverted_quads;
-  if(quantization && !(is_chosen && number_inverted == 0))
-    extract_quantized(options, model, quantization, result);
-  if(is_chosen && !(quantization && result.report &&
-                    result.report.number_of_inverted_quads < number_inverted))
-    result = std::move(near_by);
-  if(is_chosen || quantization)
-    return;
-  restore();
-  const double any = std::numeric_limits<double>::infinity();
-  extract_rounded(options, model, options.has_rounding ? options.rounding : any, result);
-  result.why_rounded =
-    is_aligned ? "there is no quantization: " + in_words_of_user(quantization.message, model)
-               : "most of the border lies on no isocurve";
-  result.integers = "at any distance, as " + result.why_rounded;
-  if(is_aligned || (result.report && part_left_out(result.report) <= 0.5))
-    return;
-  restore();
-  Result last;
-  if(const QR::Quantization other = quantize(options, model, last)) {
-    extract_quantized(options, model, other, last);
-    result = std::move(last);
-  }
 }
 
 // How far the map has changed where faces were flipped.
@@ -367,13 +194,14 @@ void write_left_out(std::ostream& os, const Result& result)
   if(report.number_of_cut_cells == 0)
     return;
   os << "left out: " << counted(report.number_of_cut_cells, "piece")
-     << " of cells at the border or at holes, " << 100 * part_left_out(report)
+     << " of cells at the border or at holes, " << 100 * result.part_left_out()
      << " % of the area in the domain. More quads leave out less; --align-border keeps cells whole "
         "where border edges are nearly on isocurves, as in maps of 'parametrize --align-border'; "
         "'remesh' makes whole ones\n";
 }
 
-void write_summary(std::ostream& os, const Quad_options& options, const Result& result)
+void write_summary(std::ostream& os, const Quad_options& options, const Model& model,
+                   const Result& result)
 {
   const QR::Extraction_report& report = result.report;
   os << counted(report.number_of_faces - report.number_of_other_polygons, "quad") << ", "
@@ -381,8 +209,8 @@ void write_summary(std::ostream& os, const Quad_options& options, const Result& 
   if(result.topologies)
     os << ", " << counted(result.number_of_irregular_vertices, "irregular vertex");
   os << "\n";
-  if(!result.integers.empty())
-    os << "integers: " << result.integers << "\n";
+  if(options.number > 0)
+    os << "integers: " << in_words_of_user(result.integers, model) << "\n";
   write_flip_repairs(os, result.repaired);
   if(result.is_rounded())
     os << "translations, cones, and levels rounded by up to " << result.snapped.largest_rounding
@@ -415,7 +243,8 @@ nlohmann::json json_of_smoothing(const QR::Remeshing_report& report, const doubl
   return result;
 }
 
-nlohmann::json json_of(const Result& result, const bool is_written, const std::string& message)
+nlohmann::json json_of(const Result& result, const std::string& integers, const bool is_written,
+                       const std::string& message)
 {
   const QR::Extraction_report& report = result.report;
   if(!is_written)
@@ -439,10 +268,10 @@ nlohmann::json json_of(const Result& result, const bool is_written, const std::s
     {"number_of_other_polygons", report.number_of_other_polygons},
     {"number_of_cut_cells", report.number_of_cut_cells},
     {"nonpositive_faces", report.nonpositive_faces},
-    {"integers", result.integers},
+    {"integers", integers},
     {"number_of_repaired_flips", result.repaired.run.number_of_repaired_flips},
     {"number_of_changed_cones", result.repaired.run.number_of_changed_cones},
-    {"part_of_domain_left_out", part_left_out(report)},
+    {"part_of_domain_left_out", result.part_left_out()},
     {"largest_rounding", if_known(result.is_rounded(), result.snapped.largest_rounding)},
     {"steps", json_of_steps(result.repaired.step_times)}};
   if(result.topologies)
@@ -464,10 +293,8 @@ void quads(const Arguments& arguments)
   os << notes_on_reading(model) << note_on_features(options.seams.features, model) << std::flush;
   Result result;
   const auto work = [&] {
-    if(options.number > 0)
-      make_number_of_quads(options, model, result);
-    else
-      extract_rounded(options, model, options.rounding, result);
+    make_quads(options, model, result);
+    result.diagonal = diagonal(model.mesh);
     check_report(options, model, result);
     write_file(options.output, options.soup ? text_of_quads(result.soup, options.output)
                                             : text_of_quads(result.mesh, result.is_feature,
@@ -480,7 +307,7 @@ void quads(const Arguments& arguments)
       result.shapes = QR::measure_quad_shapes(result.mesh);
     }
     result.patches = write_patches(result.mesh, result.is_feature, options.patches);
-    write_summary(os, options, result);
+    write_summary(os, options, model, result);
     if(!options.soup) // which is asked for to see them
       check_inverted_quads(result.report.number_of_inverted_quads, options.output,
                            options.number > 0 || result.report.number_of_cut_cells > 0 ? "" :
@@ -489,6 +316,7 @@ void quads(const Arguments& arguments)
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())
-      write_json(options.report, json_of(result, is_written(status), message));
+      write_json(options.report, json_of(result, in_words_of_user(result.integers, model),
+                                         is_written(status), message));
   });
 }

@@ -44,6 +44,8 @@ constexpr Row rows[] = {
   {"see CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()",
    "'seamless parametrize' takes them apart"},
   {"approximate_seamless_parametrization() computes some", "'seamless parametrize' computes some"},
+  {"approximate_seamless_parametrization() computes others",
+   "'seamless parametrize' computes others"},
   {"CGAL::Polygon_mesh_processing::orient_polygon_soup() cuts it",
    "'seamless parametrize' cuts such edges, and computes other coordinates"},
   {"set target_edge_length to about the length of an edge", "scale the mesh to about the size 1"},
