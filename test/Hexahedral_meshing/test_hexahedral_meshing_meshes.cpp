@@ -569,7 +569,7 @@ void test_numbers()
 }
 
 // Two arcs with five quadrants each, a unit apart, in blocks of four units: that is less than half
-// a unit at the number which is wanted.
+// a unit at the number which is wanted. No more are needed, however many charts the map has.
 void test_near_arcs()
 {
   constexpr int size = 4, distance = 1;
@@ -600,9 +600,8 @@ void test_near_arcs()
     const auto report = make_mesh(map, mesh, Meshing::parameters::target_number_of_hexahedra(number)
                                                .number_of_iterations(0));
     CHECK_IN(report.message, bool(report));
-    if(charts == Charts::BLOCKS)
-      CHECK_IN(report.reason_for_more, report.number_of_attempts == 1);
-    CHECK(report.number_of_hexahedra >= number / 4 && report.number_of_hexahedra <= 4 * number);
+    CHECK_IN(report.reason_for_more, report.number_of_attempts == 1);
+    CHECK(report.number_of_hexahedra >= number / 2 && report.number_of_hexahedra <= 2 * number);
     const auto irregular = hexahedra_reference::irregular_edges({mesh.points, mesh.hexahedra});
     CHECK(irregular == report.irregular_edges);
     CHECK_EQUAL(irregular.size(), std::size_t(1));

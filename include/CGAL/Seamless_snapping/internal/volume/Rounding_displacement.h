@@ -58,8 +58,10 @@ public:
 
   // \param u per corner
   // \param separations differences that are to be at least 1
+  // \param ties of charts whose translations are integers
   // Returns false if the number type does not hold the integers.
-  bool solve(const std::vector<Uvw>& u, const std::vector<Separation>& separations)
+  bool solve(const std::vector<Uvw>& u, const std::vector<Separation>& separations,
+             const Chart_ties& ties)
   {
     Linear_target target{std::vector<Grid>(m_solver.number_of_components(), m_integers),
                          targets(u)};
@@ -76,9 +78,13 @@ public:
     std::vector<double> values;
     for(const Grid_value& v : target.values)
       values.push_back(static_cast<double>(v.base) + v.offset);
-    separate_integers(m_system.rows(), m_system.weights(), values, separations, m_x);
+    m_number_of_joined =
+      separate_integers(m_system.rows(), ties, m_system.weights(), values, separations, m_x);
     return true;
   }
+
+  // Differences that are below 1.
+  std::size_t number_of_joined() const { return m_number_of_joined; }
 
   // Coordinate c of the sector of a corner, in all members alike.
   std::int64_t operator()(const Corner_index corner, const std::size_t c) const
@@ -140,6 +146,7 @@ private:
   Place_system m_system;
   Linear_solver m_solver;
   std::vector<std::int64_t> m_x; // per coordinate of a slot
+  std::size_t m_number_of_joined = 0;
 };
 
 // Invariant: a corner's coordinate is to move by a base, and by the move of its member. The moves

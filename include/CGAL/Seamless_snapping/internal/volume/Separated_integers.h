@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/internal/linear/Kernel_lattice.h>
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/volume/Separation_finder.h>
+#include <CGAL/Seamless_snapping/internal/volume/Signed_union_find.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -29,12 +30,151 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+// Two columns that are equal in one system of coordinates of several charts, up to a sign.
+struct Tie
+{
+  std::size_t a, b;
+  int sign;
+};
+
+// How charts are joined: each may move by integers, so that the translations between the charts of
+// a spanning tree may stay as they are.
+struct Chart_ties
+{
+  std::vector<std::int64_t> origin; // per column: the origin of the first chart; empty if it is 0
+  std::vector<Tie> ties;            // of columns, less their origins
+};
+
+// What the system says of columns, less their origins. If rows or ties make two columns equal, up
+// to a sign, one unknown stands for both. If they make a column 0, none does.
+class Tied_system
+{
+public:
+  using Vector = Entries<std::int64_t>;
+
+  Tied_system(const Integer_system& system, const std::vector<Tie>& ties,
+              const std::vector<Separation>& separations)
+    : m_columns(system.number_of_columns()), m_unknown(system.number_of_columns())
+  {
+    std::iota(m_unknown.begin(), m_unknown.end(), Column_index(0));
+    for(const Tie& tie : ties)
+      m_columns.unite(tie.a, tie.b, tie.sign);
+    std::vector<std::size_t> rows(system.number_of_rows());
+    std::iota(rows.begin(), rows.end(), std::size_t(0));
+    for(std::size_t before = rows.size() + 1; rows.size() < before; ) {
+      before = rows.size();
+      rows.erase(std::remove_if(rows.begin(), rows.end(), [&](const std::size_t i)
+                                { return tie(tied(system.row(i))); }), rows.end());
+    }
+    number_unknowns(system, rows, separations);
+    System_builder builder(m_number_of_linked_unknowns);
+    for(const std::size_t i : rows)
+      builder.add_row(tied(system.row(i)));
+    m_system = builder.take();
+  }
+
+  const Integer_system& system() const { return m_system.system; }
+
+  // A sum of columns in the unknowns.
+  template <typename Row>
+  Vector tied(const Row& row)
+  {
+    Vector result;
+    for(const Entry<std::int64_t>& e : row)
+      for_unknown(std::size_t(e.column), [&](const std::size_t k, const int sign)
+                  { result.push_back({Column_index(k), sign * e.coefficient}); });
+    sort_and_sum(result);
+    return result;
+  }
+
+  // The other unknowns are in no row, and in no difference.
+  std::size_t number_of_linked_unknowns() const { return m_number_of_linked_unknowns; }
+
+  // The weights of unknowns, and the values that come nearest to a target.
+  void find_target(const std::vector<double>& weights, const std::vector<double>& target,
+                   const std::vector<std::int64_t>& origin,
+                   std::vector<double>& weights_of_unknowns,
+                   std::vector<double>& target_of_unknowns)
+  {
+    weights_of_unknowns.assign(m_number_of_unknowns, 0);
+    target_of_unknowns.assign(m_number_of_unknowns, 0);
+    for(std::size_t j = 0; j < origin.size(); ++j)
+      for_unknown(j, [&](const std::size_t k, const int sign) {
+        weights_of_unknowns[k] += weights[j];
+        target_of_unknowns[k] += weights[j] * sign * (target[j] - static_cast<double>(origin[j]));
+      });
+    for(std::size_t k = 0; k < m_number_of_unknowns; ++k)
+      target_of_unknowns[k] /= weights_of_unknowns[k];
+  }
+
+  // The columns, with the integers next to their targets for unknowns that nothing links.
+  std::vector<std::int64_t> columns(std::vector<std::int64_t> unknowns,
+                                    const std::vector<double>& target_of_unknowns,
+                                    std::vector<std::int64_t> origin)
+  {
+    for(std::size_t k = unknowns.size(); k < m_number_of_unknowns; ++k)
+      unknowns.push_back(std::llround(target_of_unknowns[k]));
+    for(std::size_t j = 0; j < origin.size(); ++j)
+      for_unknown(j, [&](const std::size_t k, const int sign) { origin[j] += sign * unknowns[k]; });
+    return origin;
+  }
+
+private:
+  // Calls f(unknown, sign) if one stands for a column.
+  template <typename F>
+  void for_unknown(const std::size_t column, const F& f)
+  {
+    if(const auto [root, sign] = m_columns.find(column); !m_columns.is_zero(root))
+      f(std::size_t(m_unknown[root]), sign);
+  }
+
+  // The linked ones first.
+  void number_unknowns(const Integer_system& system, const std::vector<std::size_t>& rows,
+                       const std::vector<Separation>& separations)
+  {
+    std::vector<char> is_linked(m_unknown.size(), 0); // per root
+    const auto link = [&](const auto& row) {
+      for(const Entry<std::int64_t>& e : tied(row))
+        is_linked[std::size_t(e.column)] = 1;
+    };
+    for(const std::size_t i : rows)
+      link(system.row(i));
+    for(const Separation& s : separations)
+      link(s);
+    for(const char linked : {1, 0}) {
+      m_number_of_linked_unknowns = m_number_of_unknowns;
+      for(std::size_t j = 0; j < m_unknown.size(); ++j)
+        if(is_linked[j] == linked && m_columns.root(j) == j && !m_columns.is_zero(j))
+          m_unknown[j] = Column_index(m_number_of_unknowns++);
+    }
+  }
+
+  // Returns whether ties say all that a row says.
+  bool tie(const Vector& row)
+  {
+    if(row.size() == 1)
+      m_columns.set_zero(std::size_t(row[0].column));
+    if(row.size() == 2 && std::abs(row[0].coefficient) == std::abs(row[1].coefficient))
+      m_columns.unite(std::size_t(row[0].column), std::size_t(row[1].column),
+                      row[0].coefficient == row[1].coefficient ? -1 : 1);
+    else if(row.size() > 1)
+      return false;
+    return true;
+  }
+
+  Signed_union_find m_columns;
+  std::vector<Column_index> m_unknown; // per root; the root itself while rows are tied
+  std::size_t m_number_of_unknowns = 0, m_number_of_linked_unknowns = 0;
+  Scaled_system m_system;
+};
 
 // Chooses integers one after another, each time the one that costs all others least, measured by
 // the least-squares distance from the map. If a difference would get below 1, it becomes 1 at once.
@@ -232,22 +372,22 @@ private:
   Eigen::MatrixXd m_answers;
 };
 
-// Whether integers keep a difference at least 1.
-inline bool is_kept(const Separation& separation, const std::vector<std::int64_t>& x)
+inline std::int64_t value_of(const Separation& separation, const std::vector<std::int64_t>& x)
 {
-  std::int64_t value = 0;
+  std::int64_t result = 0;
   for(const Entry<std::int64_t>& e : separation)
-    value += e.coefficient * x[std::size_t(e.column)];
-  return value >= 1;
+    result += e.coefficient * x[std::size_t(e.column)];
+  return result;
 }
 
 // What differences become for the vectors of a basis; each once, because levels make many equal.
 inline std::vector<Separated_integers::Image>
 distinct_images(const std::vector<Separated_integers::Vector>& basis,
-                const std::vector<Separation>& separations)
+                const std::vector<Separation>& separations, Tied_system& tied)
 {
   std::vector<Separated_integers::Image> result;
-  for(const Separation& s : separations) {
+  for(const Separation& separation : separations) {
+    const Separation s = tied.tied(separation);
     result.emplace_back();
     for(const Separated_integers::Vector& v : basis) {
       result.back().push_back(0);
@@ -261,39 +401,56 @@ distinct_images(const std::vector<Separated_integers::Vector>& basis,
   return result;
 }
 
-// Changes integers such that differences are at least 1, if some are not. What stays joined is told
-// by the cells that it costs.
+// Changes integers such that differences are at least 1, if some are not. Returns how many stay
+// below 1: they cost cells.
 // \param weights, target per column
-inline void separate_integers(const Scaled_system& system, const std::vector<double>& weights,
-                              const std::vector<double>& target,
-                              const std::vector<Separation>& separations,
-                              std::vector<std::int64_t>& x)
+inline std::size_t separate_integers(const Scaled_system& system, const Chart_ties& ties,
+                                     const std::vector<double>& weights,
+                                     const std::vector<double>& target,
+                                     const std::vector<Separation>& separations,
+                                     std::vector<std::int64_t>& x)
 {
-  constexpr std::size_t largest_number_of_rows = 10000; // the basis takes their square
+  constexpr std::size_t largest_number_of_rows = 10000;
+  constexpr std::size_t largest_dimension = 1500; // of the basis: a choice takes its square
   constexpr double most_work = 1e9; // multiplications of the reduction of the basis
   constexpr int largest_number_of_tries = 20;
-  if(system.system.number_of_rows() > largest_number_of_rows ||
-     std::all_of(separations.begin(), separations.end(),
-                 [&](const Separation& s) { return is_kept(s, x); }))
-    return;
+  const auto number_of_joined = [&] {
+    return std::size_t(std::count_if(separations.begin(), separations.end(),
+                                     [&](const Separation& s) { return value_of(s, x) < 1; }));
+  };
+  if(number_of_joined() == 0)
+    return 0;
   try {
+    Tied_system tied(system.system, ties.ties, separations);
+    const std::size_t rows = tied.system().number_of_rows();
+    if(rows > largest_number_of_rows ||
+       tied.number_of_linked_unknowns() > rows + largest_dimension)
+      return number_of_joined();
     const std::vector<Separated_integers::Vector> basis =
-      std::move(Kernel_lattice<std::int64_t>(system.system, most_work).basis());
-    const std::vector<Separated_integers::Image> images = distinct_images(basis, separations);
+      std::move(Kernel_lattice<std::int64_t>(tied.system(), most_work).basis());
+    const std::vector<Separated_integers::Image> images = distinct_images(basis, separations, tied);
+    std::vector<std::int64_t> origin(ties.origin);
+    origin.resize(x.size(), 0);
+    std::vector<double> weights_of_unknowns, target_of_unknowns;
+    tied.find_target(weights, target, origin, weights_of_unknowns, target_of_unknowns);
+    const std::vector<double> target_of_linked(
+      target_of_unknowns.begin(),
+      target_of_unknowns.begin() + std::ptrdiff_t(tied.number_of_linked_unknowns()));
     std::vector<std::size_t> first; // differences that come too late in the order of their values
     std::size_t least = images.size() + 1;
     for(int i = 0; i < largest_number_of_tries && least > 0; ++i) {
-      Separated_integers integers(basis, weights, target, images);
+      Separated_integers integers(basis, weights_of_unknowns, target_of_linked, images);
       const std::vector<std::size_t> joined = integers.run(first);
       if(joined.size() < least) {
         least = joined.size();
-        x = integers.point();
+        x = tied.columns(integers.point(), target_of_unknowns, origin);
       }
       first.insert(first.begin(), joined.begin(), joined.end());
     }
   } catch(const Integer_overflow&) { // x stays as it is
   } catch(const Work_exceeded&) {
   }
+  return number_of_joined();
 }
 
 } // namespace internal

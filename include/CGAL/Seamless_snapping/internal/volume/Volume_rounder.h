@@ -53,11 +53,12 @@ class Volume_chart_mover
 
 public:
   Volume_chart_mover(const Flat_volume& volume, const Volume_transitions& transitions,
-              const Volume_alignment& alignment)
-    : m_volume(volume), m_alignment(alignment),
+                     const Volume_alignment& alignment, const Volume_members& members)
+    : m_volume(volume), m_alignment(alignment), m_members(members),
       m_element(elements_of_facets(volume, transitions, true, -1)),
       m_is_reached(volume.number_of_cells(), 0), m_rotation(volume.number_of_cells()),
-      m_shift(volume.number_of_cells()), m_component(volume.number_of_cells())
+      m_shift(volume.number_of_cells()), m_origin(volume.number_of_cells()),
+      m_component(volume.number_of_cells())
   { }
 
   // The coordinates of all corners, moved.
@@ -66,6 +67,7 @@ public:
     for(std::size_t c = 0; c < m_is_reached.size(); ++c)
       if(m_is_reached[c] == 0)
         reach_component(c);
+    set_origins();
     const std::vector<Uvw> common = common_shifts();
     std::vector<Uvw> result = m_volume.coordinates;
     for(std::size_t i = 0; i < result.size(); ++i) {
@@ -76,12 +78,15 @@ public:
     return result;
   }
 
+  // The charts that were moved, joined with their neighbors.
+  const Chart_ties& ties() const { return m_ties; }
+
 private:
   // Cells of a chart before those beyond its cuts, so that they get the same shift.
   void reach_component(const std::size_t root)
   {
     std::vector<Corner_index> cuts; // reached, as the cell on this side sees them
-    reach_chart(root, Group::identity(), Uvw(), cuts);
+    reach_chart(root, Group::identity(), Uvw(), Uvw(), cuts);
     for(std::size_t i = 0; i < cuts.size(); ++i) {
       const Corner_index facet = cuts[i], there = m_volume.opposite[std::size_t(facet)];
       if(m_is_reached[std::size_t(there / 4)] != 0)
@@ -89,27 +94,51 @@ private:
       const int g = m_element[std::size_t(facet)];
       const Corner_index corner = corners_of_facet(facet)[0];
       const std::size_t here = std::size_t(facet / 4);
-      Uvw u = m_volume.uvw(corner), shift;
+      Uvw u = m_volume.uvw(corner), shift, origin = Group::apply(g, m_origin[here]);
       for(std::size_t c = 0; c < 3; ++c)
         u[c] += m_shift[here][c];
       u = Group::apply(g, u);
       for(std::size_t c = 0; c < 3; ++c) {
         const double t = m_volume.uvw(m_volume.across(facet, corner))[c] - u[c];
         shift[c] = std::round(t) - t;
+        origin[c] += std::round(t);
       }
-      reach_chart(std::size_t(there / 4), Group::compose(g, m_rotation[here]), shift, cuts);
+      add_ties(facet, g);
+      reach_chart(std::size_t(there / 4), Group::compose(g, m_rotation[here]), shift, origin, cuts);
     }
     ++m_number_of_components;
   }
 
+  std::size_t column(const Corner_index i, const std::size_t c) const
+  { return m_members.column(m_members.member_of_corner(i), m_members.slot_of_corner(i), c); }
+
+  void add_ties(const Corner_index facet, const int g)
+  {
+    for(const Corner_index here : corners_of_facet(facet))
+      for(std::size_t c = 0; c < 3; ++c)
+        m_ties.ties.push_back({column(m_volume.across(facet, here), c),
+                               column(here, Group::source(g, c)), Group::sign(g, c)});
+  }
+
+  void set_origins()
+  {
+    for(std::size_t i = 0; i < m_volume.vertices.size(); ++i)
+      for(std::size_t c = 0; c < 3; ++c) {
+        const std::size_t j = column(Corner_index(i), c);
+        m_ties.origin.resize((std::max)(m_ties.origin.size(), j + 1), 0);
+        m_ties.origin[j] = std::int64_t(m_origin[i / 4][c]);
+      }
+  }
+
   void reach_chart(const std::size_t first, const int rotation, const Uvw& shift,
-                   std::vector<Corner_index>& cuts)
+                   const Uvw& origin, std::vector<Corner_index>& cuts)
   {
     std::vector<std::size_t> cells(1, first);
     m_is_reached[first] = 1;
     for(std::size_t i = 0; i < cells.size(); ++i) {
       m_rotation[cells[i]] = rotation;
       m_shift[cells[i]] = shift;
+      m_origin[cells[i]] = origin;
       m_component[cells[i]] = m_number_of_components;
       for(std::size_t facet = 4 * cells[i]; facet < 4 * cells[i] + 4; ++facet) {
         const Corner_index other = m_volume.opposite[facet];
@@ -153,10 +182,13 @@ private:
 
   const Flat_volume& m_volume;
   const Volume_alignment& m_alignment;
+  const Volume_members& m_members;
+  Chart_ties m_ties;
   std::vector<signed char> m_element;   // per facet: to the other side; -1 where there is no cut
   std::vector<char> m_is_reached;       // per cell
   std::vector<int> m_rotation;          // per cell: from the first chart of its component
   std::vector<Uvw> m_shift;             // per cell: the same for all of a chart
+  std::vector<Uvw> m_origin;            // per cell: of the first chart, in the moved chart
   std::vector<std::size_t> m_component; // per cell
   std::size_t m_number_of_components = 0;
 };
@@ -238,16 +270,18 @@ public:
     std::vector<Uvw> u = m_volume.coordinates;
     const std::vector<Separation> separations =
       Separation_finder(m_volume, transitions, m_members).find();
-    if(!m_integers.solve(u, separations))
+    if(!m_integers.solve(u, separations, {}))
       return not_representable();
     auto worst = largest_rounding(u);
     std::optional<Rounding_displacement> displacement = displacement_of(u);
     const bool is_far = worst.first > negligible_volume_rounding;
     if(is_far) {
+      const std::size_t joined = m_integers.number_of_joined();
+      Volume_chart_mover mover(m_volume, transitions, alignment, m_members);
       std::vector<Uvw> moved = u;
       if(m_rounding_tolerance > 0)
-        moved = Volume_chart_mover(m_volume, transitions, alignment).run();
-      if(!m_integers.solve(moved, separations))
+        moved = mover.run();
+      if(!m_integers.solve(moved, separations, mover.ties()))
         return not_representable();
       const auto worst_of_moved = largest_rounding(moved);
       std::optional<Rounding_displacement> of_moved = displacement_of(moved);
@@ -256,11 +290,13 @@ public:
         displacement->spread();
         of_moved->spread();
       }
-      if(is_moved_near || of_moved->energy() < displacement->energy()) {
+      if(is_moved_near ||
+         std::make_pair(m_integers.number_of_joined(), of_moved->energy()) <
+           std::make_pair(joined, displacement->energy())) {
         displacement.emplace(std::move(*of_moved));
         worst = worst_of_moved;
       } else {
-        m_integers.solve(u, separations); // as before
+        m_integers.solve(u, separations, {}); // as before
       }
     }
     m_timer.finish("rounding");
