@@ -1869,6 +1869,24 @@ print(sum(len(c.data) for c in m.cells if c.type == '${name}'))"
         found EQUAL number)
     endforeach()
   endforeach()
+  # Gmsh takes the least value of all points of a hexahedron, which is at a corner here
+  seamless(0 hexes volume.hexex hexes.mesh --number 500 --report hexes.json)
+  file(READ "${WORK_DIR}/hexes.json" json)
+  string(REGEX MATCH "\"shapes\": {[^}]*\"least_scaled_jacobian\": (0[.][0-9]+)" match "${json}")
+  expect("no hexahedron is skew: ${json}" match)
+  file(WRITE "${WORK_DIR}/quality.geo" "Merge \"hexes.mesh\";
+Plugin(AnalyseMeshQuality).JacobianDeterminant = 0;
+Plugin(AnalyseMeshQuality).IGEMeasure = 1;
+Plugin(AnalyseMeshQuality).ICNMeasure = 0;
+Plugin(AnalyseMeshQuality).CreateView = 1;
+Plugin(AnalyseMeshQuality).Run;
+If(Fabs(View[0].Min - ${CMAKE_MATCH_1}) < 1e-9)
+  Printf(\"the scaled Jacobian agrees\");
+EndIf\n")
+  execute_process(COMMAND "${GMSH}" quality.geo -0 -o quality.out
+    WORKING_DIRECTORY "${WORK_DIR}" OUTPUT_VARIABLE found ERROR_QUIET)
+  expect("Gmsh finds another scaled Jacobian than ${CMAKE_MATCH_1}: ${found}"
+    found MATCHES "the scaled Jacobian agrees")
 endif()
 seamless(1 hexes volume.hexex new.mesh --report hexes.json)
 expect_message("${err}" "ask for a number of hexahedra by --number")

@@ -84,17 +84,17 @@ void reserve_more(Range&, std::size_t, long)
 
 // Appends; where one of the ranges throws, the others are as they were.
 template <typename PointRange, typename HexahedronRange>
-void append_hexahedra(const Hexahedral_soup& soup, PointRange& points, HexahedronRange& hexahedra)
+void append_hexahedra(const Hexahedral_mesh& mesh, PointRange& points, HexahedronRange& hexahedra)
 {
   using Output = typename HexahedronRange::value_type;
   using Index = typename Output::value_type;
   const std::size_t first = points.size(), first_hexahedron = hexahedra.size();
   try {
-    reserve_more(points, soup.points.size(), 0);
-    reserve_more(hexahedra, soup.hexahedra.size(), 0);
-    for(const Uvw& p : soup.points)
+    reserve_more(points, mesh.points.size(), 0);
+    reserve_more(hexahedra, mesh.hexahedra.size(), 0);
+    for(const Uvw& p : mesh.points)
       points.push_back(point_of<typename PointRange::value_type>(p));
-    for(const Hexahedron& h : soup.hexahedra) {
+    for(const auto& h : mesh.hexahedra) {
       std::array<Index, 8> indices;
       for(std::size_t k = 0; k < 8; ++k)
         indices[k] = static_cast<Index>(first + std::size_t(h[k]));
@@ -112,25 +112,18 @@ void append_hexahedra(const Hexahedral_soup& soup, PointRange& points, Hexahedro
 
 // Where each vertex lies: corners in the caller's order.
 template <typename LocationMap>
-void put_locations(const Hexahedral_soup& soup, const Flat_volume& volume, const std::size_t first,
+void put_locations(const Extraction& extraction, const std::size_t first,
                    const LocationMap& location_map)
 {
-  for(std::size_t v = 0; v < soup.points.size(); ++v) {
-    const std::size_t cell = std::size_t(soup.cells[v]);
+  const Flat_volume& volume = extraction.volume;
+  for(std::size_t v = 0; v < extraction.cells.size(); ++v) {
+    const std::size_t cell = std::size_t(extraction.cells[v]);
     std::array<double, 4> weights;
     for(std::size_t i = 0; i < 4; ++i)
-      weights[volume.key(4 * cell + i) % 4] = soup.weights[v][i];
+      weights[volume.key(4 * cell + i) % 4] = extraction.weights[v][i];
     put(location_map, first + v, std::make_pair(volume.key(4 * cell) / 4, weights));
   }
 }
-
-// The input and the result of an extraction in plain arrays.
-struct Extraction
-{
-  Flat_volume volume;
-  std::vector<Uvw> points; // per vertex of the volume
-  Hexahedral_soup soup;
-};
 
 // \param plain a plain chain, which may have more than this reads
 template <typename ConcurrencyTag, typename PointRange, typename TetrahedronRange,
@@ -158,7 +151,7 @@ Hexahedra_report extract_soup(const PointRange& points, const TetrahedronRange& 
     refusal = read_points(points, volume, extraction.points);
   if(!refusal) {
     read_coordinates(uvw_map, volume);
-    refusal = extract(volume, extraction.points, options, extraction.soup, report);
+    refusal = extract(options, extraction, report);
   }
   if(refusal)
     refuse(report, *refusal);
@@ -297,9 +290,9 @@ Hexahedra_report extract_hexahedra(const PointRange& points, const TetrahedronRa
   if(!report)
     return report;
   const std::size_t first = hexahedron_points.size();
-  internal::append_hexahedra(extraction.soup, hexahedron_points, hexahedra);
+  internal::append_hexahedra(extraction.mesh, hexahedron_points, hexahedra);
   if constexpr(keeps_locations)
-    internal::put_locations(extraction.soup, extraction.volume, first, location_map);
+    internal::put_locations(extraction, first, location_map);
   return report;
 }
 

@@ -18,6 +18,7 @@
 // From an approximately seamless map of a tetrahedral mesh to hexahedra, in one call.
 
 #include <CGAL/Hexahedral_meshing/extract_hexahedra.h>
+#include <CGAL/Hexahedral_meshing/internal/hexahedra/Hexahedron.h>
 #include <CGAL/Hexahedral_meshing/internal/shape/move_vertices.h>
 #include <CGAL/Hexahedral_meshing/measure_hexahedra.h>
 #include <CGAL/Hexahedral_meshing/types/Hexahedral_mesh.h>
@@ -54,84 +55,40 @@ auto with(const NP& np, const Tag, const Value& value)
   return CGAL::Named_function_parameters<Value, Tag, NP>(value, np);
 }
 
-// Each element's place in the caller's range, by the names of its vertices.
-template <std::size_t size, typename Range>
-std::map<std::array<std::int64_t, size>, std::int32_t> places_of(const Range& range)
+// Replaces elements by their indices in the caller's range of features, or by -1.
+// \param corners_of(element) returns its corners
+template <typename Range, typename CornersOf>
+void find_features(const Range& range, const Flat_volume& volume, const CornersOf& corners_of,
+                   std::vector<std::int32_t>& elements)
 {
-  std::map<std::array<std::int64_t, size>, std::int32_t> result;
-  if constexpr(is_given<Range>) {
-    std::int32_t place = 0;
-    for(const auto& element : range) {
-      std::array<std::int64_t, size> key;
-      std::transform(std::begin(element), std::end(element), key.begin(),
-                     [](const auto v) { return static_cast<std::int64_t>(v); });
-      std::sort(key.begin(), key.end());
-      result.emplace(key, place++);
-    }
+  using Names = std::vector<std::int64_t>; // of vertices, ascending
+  std::map<Names, std::int32_t> indices;
+  std::int32_t index = 0;
+  if constexpr(is_given<Range>)
+    for(const auto& feature : range)
+      indices.emplace(sorted(Names(std::begin(feature), std::end(feature))), index++);
+  for(std::int32_t& element : elements) {
+    Names names;
+    for(const Corner_index corner : corners_of(std::size_t(element)))
+      names.push_back(volume.vertex_names[std::size_t(volume.vertex(corner))]);
+    const auto found = indices.find(sorted(names));
+    element = found != indices.end() ? found->second : -1;
   }
-  return result;
-}
-
-template <std::size_t size>
-std::int32_t place_of(const Flat_volume& volume, std::array<Corner_index, size> corners,
-                      const std::map<std::array<std::int64_t, size>, std::int32_t>& places)
-{
-  std::array<std::int64_t, size> key;
-  for(std::size_t i = 0; i < size; ++i)
-    key[i] = volume.vertex_names[std::size_t(volume.vertex(corners[i]))];
-  std::sort(key.begin(), key.end());
-  const auto found = places.find(key);
-  return found != places.end() ? found->second : -1;
 }
 
 template <typename NamedParameters>
-Hexahedral_mesh mesh_of(Extraction& extraction, const NamedParameters& np)
+void find_features(const NamedParameters& np, Extraction& extraction)
 {
   using CGAL::parameters::get_parameter_reference;
-  Hexahedral_mesh result;
-  Hexahedral_soup& soup = extraction.soup;
-  result.points.swap(soup.points);
-  result.hexahedra.swap(soup.hexahedra);
-  result.quadrilaterals.swap(soup.features.quadrilaterals);
-  result.edges.swap(soup.features.edges);
-  const auto facets =
-    places_of<3>(get_parameter_reference(np, CGAL::internal_np::feature_facets));
-  for(const std::int32_t i : soup.features.facets) {
-    result.patches.push_back(soup.complex.patches[std::size_t(i)]);
-    result.feature_facets.push_back(place_of(
-      extraction.volume,
-      corners_of_facet(extraction.volume.aligned_facets[std::size_t(i)]), facets));
-  }
-  const auto edges = places_of<2>(get_parameter_reference(np, CGAL::internal_np::feature_edges));
-  for(const std::int32_t i : soup.features.lines) {
-    const Flat_volume::Aligned_edge& line = soup.complex.lines[std::size_t(i)];
-    result.curves.push_back(soup.complex.curves[std::size_t(i)]);
-    result.feature_edges.push_back(
-      place_of(extraction.volume, std::array<Corner_index, 2>{{line.a, line.b}}, edges));
-  }
-  return result;
-}
-
-// The facets and lines of the input.
-inline Feature_geometry geometry_of(const Extraction& extraction)
-{
-  Feature_geometry result;
   const Flat_volume& volume = extraction.volume;
-  const auto point = [&](const Corner_index i)
-  { return extraction.points[std::size_t(volume.vertex(i))]; };
-  const auto set = [](auto& sets, const std::int32_t number) -> auto& {
-    sets.resize((std::max)(sets.size(), std::size_t(number)));
-    return sets[std::size_t(number - 1)];
-  };
-  const Feature_complex& complex = extraction.soup.complex;
-  for(std::size_t i = 0; i < complex.patches.size(); ++i) {
-    const auto c = corners_of_facet(volume.aligned_facets[i]);
-    set(result.patches, complex.patches[i]).push_back({{point(c[0]), point(c[1]), point(c[2])}});
-  }
-  for(std::size_t i = 0; i < complex.lines.size(); ++i)
-    set(result.curves, complex.curves[i])
-      .push_back({{point(complex.lines[i].a), point(complex.lines[i].b)}});
-  return result;
+  find_features(get_parameter_reference(np, CGAL::internal_np::feature_facets), volume,
+                [&](const std::size_t i) { return corners_of_facet(volume.aligned_facets[i]); },
+                extraction.mesh.feature_facets);
+  find_features(get_parameter_reference(np, CGAL::internal_np::feature_edges), volume,
+                [&](const std::size_t i) {
+                  const Flat_volume::Aligned_edge& line = extraction.complex.lines[i];
+                  return std::array<Corner_index, 2>{{line.a, line.b}};
+                }, extraction.mesh.feature_edges);
 }
 
 // The integers for a number of hexahedra: tries one scale after the other.
@@ -166,7 +123,8 @@ public:
       if(m_report || !may_be_too_coarse())
         return;
       if(m_report.reason_for_more.empty())
-        m_report.reason_for_more = to_string(m_report.status) + (": " + m_report.message);
+        m_report.reason_for_more =
+          to_string(m_report.status) + (": " + m_report.message.without_remedies());
       scale *= std::cbrt(2.);
     } while(m_target > 0 && scale * scale * scale * volume <= double(m_most));
     if(m_target > 0)
@@ -205,14 +163,12 @@ private:
     const auto uvw_map = CGAL::make_property_map(uvw);
     const auto grid = with(with(with(m_np, np::integer_grid, true), np::grid_scale, scale),
                            np::align_boundary, true);
+    const bool is_near = m_target == 0; // the map is near an integer-grid map
     Report& report = m_report;
-    if(m_target == 0)
-      report = snap_volume(m_tetrahedra, uvw_map, grid);
-    else
-      report = snap_volume(
-        m_tetrahedra, uvw_map,
-        with(with(grid, np::rounding_tolerance, any_distance), np::repair_flips,
-             Flip_repair::UNTANGLE));
+    report = snap_volume(
+      m_tetrahedra, uvw_map,
+      with(with(grid, np::rounding_tolerance, is_near ? default_rounding_tolerance : any_distance),
+           np::repair_flips, is_near ? Flip_repair::NONE : Flip_repair::UNTANGLE));
     if(report.status == Outcome::FLIPS_REMAIN)
       report.status = Outcome::NOT_POSITIVE; // the message tells which, and why
     if(!report)
@@ -339,13 +295,14 @@ hexahedral_mesh(const PointRange& points, const TetrahedronRange& tetrahedra, Co
     points, tetrahedra, std::move(uvw), plain, extraction, report).run();
   if(!report)
     return report;
-  Hexahedral_mesh result = internal::mesh_of(extraction, plain);
+  internal::find_features(plain, extraction);
+  Hexahedral_mesh& result = extraction.mesh;
   report.shapes_before = measure_hexahedra(result.points, result.hexahedra);
   report.shapes = report.shapes_before;
   const std::size_t rounds =
     internal::chosen(plain, CGAL::internal_np::number_of_iterations, std::size_t(20));
   if(!report.shapes.nonpositive_hexahedra.empty() && rounds > 0) {
-    internal::move_vertices(result, internal::geometry_of(extraction), rounds);
+    internal::move_vertices(extraction, rounds);
     report.shapes = measure_hexahedra(result.points, result.hexahedra);
   }
   mesh = std::move(result);

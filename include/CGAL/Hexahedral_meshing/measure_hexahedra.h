@@ -23,29 +23,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 
 namespace CGAL {
 namespace Hexahedral_meshing {
-
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-
-template <typename PointRange, typename Hexahedron_indices>
-Hexahedron_points points_of(const PointRange& points, const Hexahedron_indices& indices)
-{
-  Hexahedron_points result;
-  std::size_t k = 0;
-  for(const auto i : indices) {
-    const auto& p = *(std::begin(points) + static_cast<std::ptrdiff_t>(i));
-    result[k++] = {static_cast<double>(p[0]), static_cast<double>(p[1]),
-                   static_cast<double>(p[2])};
-  }
-  return result;
-}
-
-} // namespace internal
-/// \endcond
 
 /*!
 \ingroup PkgHexahedralMeshingRef

@@ -17,15 +17,18 @@
 
 // Meshes of hexahedra as texts.
 
+#include <CGAL/Hexahedral_meshing/internal/hexahedra/Hexahedron.h>
 #include <CGAL/Hexahedral_meshing/types/Hexahedral_mesh.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
+
+#include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -105,120 +108,89 @@ inline std::string VTK_text(const Hexahedral_mesh& mesh)
          "\nSCALARS reference int 1\nLOOKUP_TABLE default\n" + references;
 }
 
-// Faces and edges, named by sorted vertices; each face is listed as the first hexahedron that has
-// it sees it from outside.
+// Edges and faces in the order in which hexahedra have them first. Each face is listed as its first
+// hexahedron sees it from outside.
 class OVM_writer
 {
 public:
-  explicit OVM_writer(const Hexahedral_mesh& mesh)
-    : m_mesh(mesh)
+  std::string text(const Hexahedral_mesh& mesh)
   {
-    for(std::size_t i = 0; i < mesh.hexahedra.size(); ++i)
-      for(std::size_t f = 0; f < 6; ++f) {
-        const Face face = face_of(i, f);
-        m_faces.push_back({sorted(face), 6 * i + f});
-        for(std::size_t k = 0; k < 4; ++k)
-          m_edges.push_back(std::minmax(face[k], face[(k + 1) % 4]));
-      }
-    std::sort(m_faces.begin(), m_faces.end()); // of two the first one comes first
-    m_faces.erase(std::unique(m_faces.begin(), m_faces.end(), [](const auto& a, const auto& b)
-                              { return a.first == b.first; }), m_faces.end());
-    std::sort(m_edges.begin(), m_edges.end());
-    m_edges.erase(std::unique(m_edges.begin(), m_edges.end()), m_edges.end());
-  }
-
-  std::string text() const
-  {
-    std::string text = "OVM ASCII\nVertices\n" + std::to_string(m_mesh.points.size()) + "\n";
-    append_points(m_mesh, "\n", text);
-    text += "Edges\n" + std::to_string(m_edges.size()) + "\n";
-    for(const auto& [a, b] : m_edges)
-      append_indices(std::array<std::int32_t, 2>{{a, b}}, 0, "\n", text);
-    text += "Faces\n" + std::to_string(m_faces.size()) + "\n";
-    for(const auto& [key, name] : m_faces) {
-      const Face face = face_of(name / 6, name % 6);
-      std::array<std::int64_t, 4> halfedges;
-      for(std::size_t k = 0; k < 4; ++k)
-        halfedges[k] = halfedge(face[k], face[(k + 1) % 4]);
-      text += "4 ";
-      append_indices(halfedges, 0, "\n", text);
-    }
-    text += "Polyhedra\n" + std::to_string(m_mesh.hexahedra.size()) + "\n";
-    for(std::size_t i = 0; i < m_mesh.hexahedra.size(); ++i) {
+    std::string cells;
+    for(const Hexahedron& h : mesh.hexahedra) {
       std::array<std::int64_t, 6> halffaces;
-      for(std::size_t f = 0; f < 6; ++f)
-        halffaces[f] = halfface(i, f);
-      text += "6 ";
-      append_indices(halffaces, 0, "\n", text);
+      for(std::size_t f = 0; f < 6; ++f) // at two opposite corners
+        halffaces[f] = halfface(facet_at(h, f < 3 ? 0 : 6, f % 3));
+      cells += "6 ";
+      append_indices(halffaces, 0, "\n", cells);
     }
-    return text + property("EProp int \"curve\"", m_mesh.edges, m_mesh.curves, m_edges.size(),
-                           [&](const auto& e) { return halfedge(e[0], e[1]); }) +
-           property("FProp int \"patch\"", m_mesh.quadrilaterals, m_mesh.patches, m_faces.size(),
-                    [&](const auto& q) { return 2 * (find(q) - m_faces.begin()); });
+    const std::string patches =
+      property("FProp int \"patch\"", mesh.quadrilaterals, mesh.patches, m_faces,
+               [&](const Face& face) { return halfface(face) / 2; });
+    const std::string curves =
+      property("EProp int \"curve\"", mesh.edges, mesh.curves, m_edges,
+               [&](const Edge& edge) { return halfedge(edge) / 2; });
+    std::string text = "OVM ASCII\nVertices\n" + std::to_string(mesh.points.size()) + "\n";
+    append_points(mesh, "\n", text);
+    return text + "Edges\n" + std::to_string(m_edges.size()) + "\n" + m_edge_text + "Faces\n" +
+           std::to_string(m_faces.size()) + "\n" + m_face_text + "Polyhedra\n" +
+           std::to_string(mesh.hexahedra.size()) + "\n" + cells + curves + patches;
   }
 
 private:
+  template <typename Element>
+  using Numbers = std::unordered_map<Element, std::int64_t, boost::hash<Element> >;
+  using Edge = std::array<std::int32_t, 2>;
   using Face = std::array<std::int32_t, 4>;
 
-  Face face_of(const std::size_t i, const std::size_t f) const
+  std::int64_t halfedge(const Edge& edge)
   {
-    // counterclockwise as seen from outside
-    constexpr std::size_t corners[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
-                                           {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
-    Face result;
+    const auto [place, is_new] = m_edges.emplace(sorted(edge), std::int64_t(m_edges.size()));
+    if(is_new)
+      append_indices(place->first, 0, "\n", m_edge_text);
+    return 2 * place->second + (edge[0] > edge[1]);
+  }
+
+  // The second hexahedron of a face sees its other side.
+  std::int64_t halfface(const Face& face)
+  {
+    const auto [place, is_new] = m_faces.emplace(sorted(face), std::int64_t(m_faces.size()));
+    if(!is_new)
+      return 2 * place->second + 1;
+    std::array<std::int64_t, 4> halfedges;
     for(std::size_t k = 0; k < 4; ++k)
-      result[k] = m_mesh.hexahedra[i][corners[f][k]];
-    return result;
-  }
-
-  static Face sorted(Face face)
-  {
-    std::sort(face.begin(), face.end());
-    return face;
-  }
-
-  std::int64_t halfedge(const std::int32_t a, const std::int32_t b) const
-  {
-    const auto found = std::lower_bound(m_edges.begin(), m_edges.end(),
-                                        std::pair<std::int32_t, std::int32_t>(std::minmax(a, b)));
-    return 2 * (found - m_edges.begin()) + (a > b);
-  }
-
-  std::vector<std::pair<Face, std::size_t> >::const_iterator find(const Face& face) const
-  {
-    return std::lower_bound(m_faces.begin(), m_faces.end(),
-                            std::pair<Face, std::size_t>(sorted(face), 0));
-  }
-
-  std::int64_t halfface(const std::size_t i, const std::size_t f) const
-  {
-    const auto found = find(face_of(i, f));
-    return 2 * (found - m_faces.begin()) + (found->second != 6 * i + f);
+      halfedges[k] = halfedge({face[k], face[(k + 1) % 4]});
+    m_face_text += "4 ";
+    append_indices(halfedges, 0, "\n", m_face_text);
+    return 2 * place->second;
   }
 
   // The references of some edges or faces; 0 for all others.
-  template <typename Elements, typename Half>
-  static std::string property(const std::string& name, const Elements& elements,
+  template <typename Element, typename NumberOf>
+  static std::string property(const std::string& name, const std::vector<Element>& elements,
                               const std::vector<std::int32_t>& references,
-                              const std::size_t size, const Half& half)
+                              const Numbers<Element>& all, const NumberOf& number_of)
   {
-    std::vector<std::int32_t> values(size, 0);
-    for(std::size_t i = 0; i < elements.size(); ++i)
-      values[std::size_t(half(elements[i]) / 2)] = reference(references, i);
+    std::vector<std::int32_t> values;
+    for(std::size_t i = 0; i < elements.size(); ++i) {
+      const auto number = std::size_t(number_of(elements[i])); // may be a new one
+      values.resize(all.size(), 0);
+      values[number] = reference(references, i);
+    }
+    values.resize(all.size(), 0);
     std::string text = name + "\n";
     for(const std::int32_t x : values)
       text += std::to_string(x) + "\n";
     return text;
   }
 
-  const Hexahedral_mesh& m_mesh;
-  std::vector<std::pair<Face, std::size_t> > m_faces; // sorted vertices, and 6 i + f
-  std::vector<std::pair<std::int32_t, std::int32_t> > m_edges;
+  Numbers<Edge> m_edges; // by ascending vertices
+  Numbers<Face> m_faces;
+  std::string m_edge_text, m_face_text;
 };
 
 inline std::string OVM_text(const Hexahedral_mesh& mesh)
 {
-  return OVM_writer(mesh).text();
+  return OVM_writer().text(mesh);
 }
 
 } // namespace internal

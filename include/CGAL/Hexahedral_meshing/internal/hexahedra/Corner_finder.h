@@ -104,8 +104,8 @@ private:
     const Corner_index facet = 4 * m_steps[k].cell + i, other = m_map.opposite(facet);
     if(other < 0)
       return;
-    const Grid_map::Transition transition = m_map.transition(facet);
-    const Step next{other / 4, transition(m_steps[k].p), transition(m_steps[k].q)};
+    const Step next{other / 4, m_map.across(facet, m_steps[k].p),
+                    m_map.across(facet, m_steps[k].q)};
     for(const Step& step : m_steps)
       if(step.cell == next.cell && step.q == next.q)
         return;
@@ -123,41 +123,34 @@ class Corner_finder
 {
 public:
   Corner_finder(const Grid_map& map, const Grid_vertices& vertices)
-    : m_map(map), m_vertices(vertices), m_walk(map)
+    : m_map(map), m_vertices(vertices), m_walk(map), m_known(number_of_hashes)
   { }
 
   void enter(const std::int32_t cell, const Cell_sides& sides)
   {
     m_cell = cell;
     m_sides = &sides;
-    if(m_number_of_known > 0) { // a cell mostly has about as many as the one before
-      const bool is_small = m_number_of_known * 8 < m_known.size() && m_known.size() > initial_size;
-      m_known.assign(m_known.size() / (is_small ? 2 : 1), {});
-    }
-    m_number_of_known = 0;
   }
 
   // The vertex in the corner q of the hexahedron around p; -1 if there is an error of ours.
   std::int32_t vertex(const Uvw& p, const Uvw& q)
   {
-    if(m_number_of_known * 2 >= m_known.size())
-      grow();
-    Known& known = slot(q);
-    if(known.vertex == none) {
-      known = {q, find(p, q)};
-      ++m_number_of_known;
-    }
+    std::uint64_t hash = 0;
+    for(const double x : q)
+      hash = (hash ^ std::uint64_t(std::int64_t(x))) * 0x9e3779b97f4a7c15u;
+    Known& known = m_known[std::size_t(hash >> 32) % m_known.size()];
+    if(known.cell != m_cell || known.q != q)
+      known = {m_cell, find(p, q), q};
     return known.vertex;
   }
 
 private:
-  static constexpr std::int32_t none = -2;
-  static constexpr std::size_t initial_size = 64;
+  static constexpr std::size_t number_of_hashes = 2048; // as many as stay in a cache
 
   struct Known
   {
+    std::int32_t cell = -1, vertex = -1;
     Uvw q{};
-    std::int32_t vertex = none;
   };
 
   std::int32_t find(const Uvw& p, const Uvw& q)
@@ -168,33 +161,12 @@ private:
     return m_vertices.find(end.facets == 0 ? end : m_map.place(end));
   }
 
-  Known& slot(const Uvw& q)
-  {
-    std::uint64_t hash = 0;
-    for(const double x : q)
-      hash = (hash ^ std::uint64_t(std::int64_t(x))) * 0x9e3779b97f4a7c15u;
-    std::size_t i = std::size_t(hash >> 32) & (m_known.size() - 1);
-    while(m_known[i].vertex != none && m_known[i].q != q)
-      i = (i + 1) & (m_known.size() - 1);
-    return m_known[i];
-  }
-
-  void grow()
-  {
-    std::vector<Known> old(m_known.empty() ? initial_size : 2 * m_known.size());
-    m_known.swap(old);
-    for(const Known& known : old)
-      if(known.vertex != none)
-        slot(known.q) = known;
-  }
-
   const Grid_map& m_map;
   const Grid_vertices& m_vertices;
   Straight_walk m_walk;
   std::int32_t m_cell = -1;
   const Cell_sides* m_sides = nullptr;
-  std::vector<Known> m_known; // corners in the chart of the cell: a table of 2^n places
-  std::size_t m_number_of_known = 0;
+  std::vector<Known> m_known; // the last corner of each hash
 };
 
 } // namespace internal

@@ -21,6 +21,9 @@
 
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Corner_finder.h>
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Feature_complex.h>
+#include <CGAL/Hexahedral_meshing/internal/hexahedra/Grid_conditions.h>
+#include <CGAL/Hexahedral_meshing/internal/hexahedra/Hexahedron.h>
+#include <CGAL/Hexahedral_meshing/types/Hexahedral_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -35,14 +38,6 @@ namespace Hexahedral_meshing {
 namespace internal {
 
 // Each element is listed once, with the first facet or line that contains its middle.
-struct Feature_elements
-{
-  std::vector<std::array<std::int32_t, 4> > quadrilaterals; // counterclockwise, seen from outside
-  std::vector<std::int32_t> facets;                         // aligned ones, per quadrilateral
-  std::vector<std::array<std::int32_t, 2> > edges;          // ascending vertices
-  std::vector<std::int32_t> lines;                          // per edge
-};
-
 class Feature_element_finder
 {
 public:
@@ -51,28 +46,44 @@ public:
   { }
 
   // \param is_mirrored per cell: hexahedra list their corners in the other order
+  // Fills in the quadrilaterals and edges. Until the features of the caller are looked up,
+  // `feature_facets` are aligned facets of the volume, and `feature_edges` lines of the complex.
   // Vertices are -1 if there is an error of ours.
-  Feature_elements run(const std::vector<Flat_volume::Aligned_edge>& lines,
-                       const std::vector<char>& is_mirrored)
+  void run(const Feature_complex& complex, const std::vector<char>& is_mirrored,
+           Hexahedral_mesh& mesh)
   {
     const std::vector<Corner_index>& facets = m_map.volume().aligned_facets;
     for(std::size_t i = 0; i < facets.size(); ++i)
-      add_quadrilaterals(facets[i], std::int32_t(i), is_mirrored[std::size_t(facets[i] / 4)] != 0);
-    for(std::size_t i = 0; i < lines.size(); ++i)
-      add_edges(lines[i], std::int32_t(i));
-    return std::move(m_result);
+      for_each_quadrilateral(facets[i], is_mirrored[std::size_t(facets[i] / 4)] != 0,
+                             [&](const Quadrilateral& q) {
+        if(m_found_quadrilaterals.insert(sorted(q)).second) {
+          mesh.quadrilaterals.push_back(q);
+          mesh.patches.push_back(complex.patches[i]);
+          mesh.feature_facets.push_back(std::int32_t(i));
+        }
+      });
+    for(std::size_t i = 0; i < complex.lines.size(); ++i)
+      for_each_edge(complex.lines[i], [&](const Edge& edge) {
+        if(m_found_edges.insert(sorted(edge)).second) {
+          mesh.edges.push_back(sorted(edge));
+          mesh.curves.push_back(complex.curves[i]);
+          mesh.feature_edges.push_back(std::int32_t(i));
+        }
+      });
   }
 
 private:
-  void add_quadrilaterals(const Corner_index facet, const std::int32_t number,
-                          const bool is_mirrored)
+  using Quadrilateral = std::array<std::int32_t, 4>;
+  using Edge = std::array<std::int32_t, 2>;
+
+  // Calls f(vertices), counterclockwise as seen from outside, for the centers in a facet.
+  template <typename F>
+  void for_each_quadrilateral(const Corner_index facet, const bool is_mirrored, const F& f)
   {
-    const auto corners = corners_of_facet(facet);
-    const auto& uvw = [&](const Corner_index i) -> const Uvw& { return m_map.volume().uvw(i); };
-    std::size_t k = 0; // the coordinate that is constant
-    while(uvw(corners[0])[k] != uvw(corners[1])[k] || uvw(corners[0])[k] != uvw(corners[2])[k])
-      ++k;
-    const bool is_seen_from_above = (uvw(facet)[k] < uvw(corners[0])[k]) != is_mirrored;
+    const Flat_volume& volume = m_map.volume();
+    const std::size_t k = constant_coordinate(volume, facet);
+    const bool is_seen_from_above =
+      (volume.uvw(facet)[k] < volume.uvw(corners_of_facet(facet)[0])[k]) != is_mirrored;
     Uvw shift{0.5, 0.5, 0.5};
     shift[k] = 0;
     const Cell_sides sides = m_map.sides(facet / 4);
@@ -80,31 +91,25 @@ private:
     for_each_grid_point(sides, facet / 4, shift, [&](const Cell_point& center) {
       if((center.facets >> facet % 4 & 1) == 0)
         return;
-      std::array<std::int32_t, 4> q;
+      Quadrilateral q;
       for(std::size_t i = 0; i < 4; ++i) {
         Uvw corner = center.p;
         corner[(k + 1) % 3] += i == 1 || i == 2 ? 0.5 : -0.5;
         corner[(k + 2) % 3] += i > 1 ? 0.5 : -0.5;
         q[is_seen_from_above ? i : 3 - i] = m_corners.vertex(center.p, corner);
       }
-      std::array<std::int32_t, 4> key = q;
-      std::sort(key.begin(), key.end());
-      if(m_found_quadrilaterals.insert(key).second) {
-        m_result.quadrilaterals.push_back(q);
-        m_result.facets.push_back(number);
-      }
+      f(q);
     });
   }
 
-  void add_edges(const Flat_volume::Aligned_edge& line, const std::int32_t number)
+  // Calls f(vertices) for the middles on a line. The ends of feature facets may lie off the grid.
+  template <typename F>
+  void for_each_edge(const Flat_volume::Aligned_edge& line, const F& f)
   {
-    const Uvw &a = m_map.volume().uvw(line.a), &b = m_map.volume().uvw(line.b);
-    std::size_t k = 0; // the coordinate that changes
-    while(k < 3 && !(a[k] != b[k] && is_on_grid(a, b, (k + 1) % 3) &&
-                     is_on_grid(a, b, (k + 2) % 3)))
-      ++k;
-    if(k == 3) // feature facets may end anywhere
+    if(!is_on_grid_line(m_map.volume(), line))
       return;
+    const std::size_t k = axis_of_edge(m_map.volume(), line);
+    const Uvw &a = m_map.volume().uvw(line.a), &b = m_map.volume().uvw(line.b);
     const Cell_sides sides = m_map.sides(line.a / 4);
     m_corners.enter(line.a / 4, sides);
     Uvw middle = a;
@@ -113,23 +118,14 @@ private:
       Uvw low = middle, high = middle;
       low[k] -= 0.5;
       high[k] += 0.5;
-      const std::int32_t v = m_corners.vertex(middle, low), w = m_corners.vertex(middle, high);
-      const std::array<std::int32_t, 2> edge{{(std::min)(v, w), (std::max)(v, w)}};
-      if(m_found_edges.insert(edge).second) {
-        m_result.edges.push_back(edge);
-        m_result.lines.push_back(number);
-      }
+      f(Edge{{m_corners.vertex(middle, low), m_corners.vertex(middle, high)}});
     }
   }
 
-  static bool is_on_grid(const Uvw& a, const Uvw& b, const std::size_t c)
-  { return a[c] == b[c] && a[c] == std::round(a[c]); }
-
   const Grid_map& m_map;
   Corner_finder m_corners;
-  Feature_elements m_result;
-  std::set<std::array<std::int32_t, 4> > m_found_quadrilaterals; // by sorted vertices
-  std::set<std::array<std::int32_t, 2> > m_found_edges;
+  std::set<Quadrilateral> m_found_quadrilaterals; // by sorted vertices
+  std::set<Edge> m_found_edges;
 };
 
 } // namespace internal

@@ -21,6 +21,7 @@
 #include <CGAL/Hexahedral_meshing/internal/packages_below.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
+#include <CGAL/Seamless_snapping/internal/volume/Signed_union_find.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 
 #include <algorithm>
@@ -28,7 +29,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,6 +37,37 @@
 namespace CGAL {
 namespace Hexahedral_meshing {
 namespace internal {
+
+inline bool is_integer(const double x) { return x == std::round(x); }
+
+// The coordinate that is constant on a facet; 3 if there is none.
+inline std::size_t constant_coordinate(const Flat_volume& volume, const Corner_index facet)
+{
+  const auto c = corners_of_facet(facet);
+  std::size_t k = 0;
+  while(k < 3 && !(volume.uvw(c[0])[k] == volume.uvw(c[1])[k] &&
+                   volume.uvw(c[0])[k] == volume.uvw(c[2])[k]))
+    ++k;
+  return k;
+}
+
+// The coordinate that changes along an edge; 3 if there is none, or there are several.
+inline std::size_t axis_of_edge(const Flat_volume& volume, const Flat_volume::Aligned_edge& edge)
+{
+  const Uvw d = vector_to(volume.uvw(edge.a), volume.uvw(edge.b));
+  std::size_t k = 0;
+  while(k < 3 && !(d[(k + 1) % 3] == 0 && d[(k + 2) % 3] == 0))
+    ++k;
+  return k;
+}
+
+// Whether an edge lies on a line of the grid.
+inline bool is_on_grid_line(const Flat_volume& volume, const Flat_volume::Aligned_edge& edge)
+{
+  const std::size_t k = axis_of_edge(volume, edge);
+  const Uvw& u = volume.uvw(edge.a);
+  return k < 3 && is_integer(u[(k + 1) % 3]) && is_integer(u[(k + 2) % 3]);
+}
 
 // Checks the conditions, and keeps what they tell of the mesh.
 // \pre the volume holds all cells, and its boundary is aligned
@@ -51,18 +82,13 @@ public:
 
   std::optional<Refusal> check()
   {
-    std::optional<Refusal> refusal = check_size();
-    if(!refusal)
-      refusal = check_orientations();
-    if(!refusal)
-      refusal = check_cuts();
-    if(!refusal)
-      refusal = check_aligned_facets();
-    if(!refusal)
-      refusal = check_aligned_edges();
-    if(!refusal)
-      refusal = check_singular_edges();
-    return refusal;
+    using This = Grid_conditions;
+    for(const auto check : {&This::check_size, &This::check_orientations, &This::check_cuts,
+                            &This::check_aligned_facets, &This::check_aligned_edges,
+                            &This::check_singular_edges})
+      if(auto refusal = (this->*check)())
+        return refusal;
+    return std::nullopt;
   }
 
   // Per facet: the rotation to its other side, or -1 if both have the same coordinates.
@@ -120,7 +146,7 @@ private:
   static std::string among(const std::size_t number, const char* const noun)
   { return number == 1 ? "" : " (the first of " + counted(number, noun) + ")"; }
 
-  std::optional<Refusal> check_size() const
+  std::optional<Refusal> check_size()
   {
     for(std::size_t i = 0; i < m_volume.coordinates.size(); ++i)
       for(const double x : m_volume.coordinates[i])
@@ -131,7 +157,7 @@ private:
     return std::nullopt;
   }
 
-  std::optional<Refusal> check_orientations() const
+  std::optional<Refusal> check_orientations()
   {
     std::vector<std::size_t> bad;
     for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c)
@@ -184,20 +210,14 @@ private:
                           "map")};
   }
 
-  static bool is_integer(const double x) { return x == std::round(x); }
-
-  std::optional<Refusal> check_aligned_facets() const
+  std::optional<Refusal> check_aligned_facets()
   {
     std::vector<Corner_index> askew, off_grid;
     for(const Corner_index facet : m_volume.aligned_facets) {
-      const auto c = corners_of_facet(facet);
-      std::size_t k = 0;
-      while(k < 3 && !(m_volume.uvw(c[0])[k] == m_volume.uvw(c[1])[k] &&
-                       m_volume.uvw(c[0])[k] == m_volume.uvw(c[2])[k]))
-        ++k;
+      const std::size_t k = constant_coordinate(m_volume, facet);
       if(k == 3)
         askew.push_back(facet);
-      else if(!is_integer(m_volume.uvw(c[0])[k]))
+      else if(!is_integer(m_volume.uvw(corners_of_facet(facet)[0])[k]))
         off_grid.push_back(facet);
     }
     const auto name = [&](const std::vector<Corner_index>& facets) {
@@ -213,30 +233,14 @@ private:
     return std::nullopt;
   }
 
-  // The coordinate that changes along an edge, if the others are the same; else -1.
-  int axis_of_edge(const Flat_volume::Aligned_edge& edge) const
-  {
-    const Uvw d = vector_to(m_volume.uvw(edge.a), m_volume.uvw(edge.b));
-    for(std::size_t k = 0; k < 3; ++k)
-      if(d[(k + 1) % 3] == 0 && d[(k + 2) % 3] == 0)
-        return int(k);
-    return -1;
-  }
-
-  bool is_on_grid_line(const Flat_volume::Aligned_edge& edge, const int axis) const
-  {
-    const Uvw& u = m_volume.uvw(edge.a);
-    return is_integer(u[std::size_t(axis + 1) % 3]) && is_integer(u[std::size_t(axis + 2) % 3]);
-  }
-
-  std::optional<Refusal> check_aligned_edges() const
+  std::optional<Refusal> check_aligned_edges()
   {
     for(const Flat_volume::Aligned_edge& edge : m_volume.aligned_edges)
-      if(const int axis = axis_of_edge(edge); axis < 0)
+      if(axis_of_edge(m_volume, edge) == 3)
         return Refusal(Outcome::NOT_ALIGNED, "along the feature " + m_volume.name_of_edge(edge) +
                        ", more than one coordinate changes" +
                        remedy("snap_volume_to_seamless() aligns it"));
-      else if(!is_on_grid_line(edge, axis))
+      else if(!is_on_grid_line(m_volume, edge))
         return not_integer("the feature " + m_volume.name_of_edge(edge) +
                            " lies between the lines of the grid");
     return std::nullopt;
@@ -249,14 +253,14 @@ private:
     m_number_of_edges = finder.number_of_edges();
     for(const Grid_edge& grid_edge : edges) {
       const Flat_volume::Aligned_edge& edge = grid_edge.edge;
-      const int axis = axis_of_edge(edge);
-      if(grid_edge.is_skew || axis < 0 || (edge.direction >= 0 && axis != edge.direction) ||
-         !is_on_grid_line(edge, axis))
+      const std::size_t axis = axis_of_edge(m_volume, edge);
+      if(grid_edge.is_skew || (edge.direction >= 0 && axis != std::size_t(edge.direction)) ||
+         !is_on_grid_line(m_volume, edge))
         return not_integer("the singular " + m_volume.name_of_edge(edge) + " (of " +
                            counted(edges.size(), "singular edge") + ") is on no line of the grid");
       if(grid_edge.is_interior)
         m_singular_lengths[grid_edge.quarter_turns] += std::abs(
-          m_volume.uvw(edge.b)[std::size_t(axis)] - m_volume.uvw(edge.a)[std::size_t(axis)]);
+          m_volume.uvw(edge.b)[axis] - m_volume.uvw(edge.a)[axis]);
     }
     return std::nullopt;
   }
@@ -264,21 +268,14 @@ private:
   // Classes of corners whose cells share facets at them.
   std::size_t number_of_vertices() const
   {
-    std::vector<std::int32_t> parent(m_volume.vertices.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](std::int32_t i) {
-      for(; parent[std::size_t(i)] != i; i = parent[std::size_t(i)])
-        parent[std::size_t(i)] = parent[std::size_t(parent[std::size_t(i)])];
-      return i;
-    };
-    std::size_t result = parent.size();
+    Signed_union_find corners(m_volume.vertices.size());
     for(std::size_t f = 0; f < m_volume.opposite.size(); ++f)
       if(m_volume.opposite[f] > Corner_index(f))
-        for(const Corner_index corner : corners_of_facet(Corner_index(f))) {
-          const std::int32_t a = root(corner), b = root(m_volume.across(Corner_index(f), corner));
-          result -= std::size_t(a != b);
-          parent[std::size_t((std::max)(a, b))] = (std::min)(a, b);
-        }
+        for(const Corner_index corner : corners_of_facet(Corner_index(f)))
+          corners.unite(std::size_t(corner), std::size_t(m_volume.across(Corner_index(f), corner)));
+    std::size_t result = 0;
+    for(std::size_t i = 0; i < corners.size(); ++i)
+      result += std::size_t(corners.root(i) == i);
     return result;
   }
 

@@ -63,39 +63,20 @@ public:
   Corner_index opposite(const Corner_index facet) const
   { return m_volume.opposite[std::size_t(facet)]; }
 
-  // The motion from the chart of a facet's cell to that on the other side.
-  class Transition
+  // A point in the chart of a facet's cell, as the chart on the other side has it.
+  Uvw across(const Corner_index facet, const Uvw& p) const
   {
-  public:
-    Transition(const Flat_volume& volume, const Corner_index facet, const signed char element)
-      : m_element(element)
-    {
-      if(element == no_cut)
-        return;
-      const Corner_index corner = corners_of_facet(facet)[0];
-      const Uvw& there = volume.uvw(volume.across(facet, corner));
-      const Uvw here = Group::apply(element, volume.uvw(corner));
-      for(std::size_t c = 0; c < 3; ++c)
-        m_shift[c] = there[c] - here[c]; // an integer, and hence without an error
-    }
-
-    Uvw operator()(const Uvw& p) const
-    {
-      if(m_element == no_cut)
-        return p;
-      Uvw result = Group::apply(m_element, p);
-      for(std::size_t c = 0; c < 3; ++c)
-        result[c] += m_shift[c];
-      return result;
-    }
-
-  private:
-    signed char m_element;
-    Uvw m_shift{};
-  };
-
-  Transition transition(const Corner_index facet) const
-  { return Transition(m_volume, facet, m_elements[std::size_t(facet)]); }
+    const signed char element = m_elements[std::size_t(facet)];
+    if(element == no_cut)
+      return p;
+    const Corner_index corner = corners_of_facet(facet)[0];
+    const Uvw& there = m_volume.uvw(m_volume.across(facet, corner));
+    const Uvw here = Group::apply(element, m_volume.uvw(corner));
+    Uvw result = Group::apply(element, p);
+    for(std::size_t c = 0; c < 3; ++c)
+      result[c] += there[c] - here[c]; // an integer, and hence without an error
+    return result;
+  }
 
   // Calls f(cell point) for all cells that contain a point, over the facets on which it lies, the
   // cell that is given first; until f returns false.
@@ -116,7 +97,8 @@ public:
           is_new = is_new && other.cell != cell;
         if(!is_new)
           continue;
-        found.push_back({cell, transition(facet)(found[k].p), facets_across(found[k], i)});
+        const Uvw p = across(facet, found[k].p);
+        found.push_back({cell, p, sides(cell).facets_at(p)});
         if(!f(found.back()))
           return;
       }
@@ -144,23 +126,6 @@ public:
   }
 
 private:
-  // The point lies inside of the simplex of the corners that are opposite to none of its facets:
-  // the cell on the other side of facet i has these corners, too.
-  int facets_across(const Cell_point& point, const int i) const
-  {
-    const Corner_index first = opposite(4 * point.cell + i) / 4 * 4;
-    int result = 0;
-    for(int k = 0; k < 4; ++k) {
-      bool is_in_simplex = false;
-      for(int j = 0; j < 4; ++j)
-        is_in_simplex = is_in_simplex || ((point.facets >> j & 1) == 0 &&
-                                          m_volume.vertex(4 * point.cell + j) ==
-                                            m_volume.vertex(first + k));
-      result |= int(!is_in_simplex) << k;
-    }
-    return result;
-  }
-
   const Flat_volume& m_volume;
   std::vector<signed char> m_elements;
 };

@@ -18,9 +18,8 @@
 // Hexahedra in plain arrays: what is the same for all types of callers.
 
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Feature_complex.h>
-#include <CGAL/Hexahedral_meshing/internal/hexahedra/Feature_elements.h>
-#include <CGAL/Hexahedral_meshing/internal/hexahedra/Hexahedra_topology.h>
 #include <CGAL/Hexahedral_meshing/types/Hexahedra_report.h>
+#include <CGAL/Hexahedral_meshing/types/Hexahedral_mesh.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
@@ -42,23 +41,20 @@ struct Extraction_options
   bool is_parallel, keeps_locations, keeps_features;
 };
 
-struct Hexahedral_soup
+// The input and the result.
+struct Extraction
 {
-  std::vector<Hexahedron> hexahedra;
-  std::vector<Uvw> points;
-  // per vertex, if they are kept: a cell of the volume, and barycentric coordinates there
+  Flat_volume volume;      // all cells, with an aligned boundary
+  std::vector<Uvw> points; // per vertex of the volume
+  Hexahedral_mesh mesh;
+  // per vertex of the mesh, if locations are kept: a cell, and barycentric coordinates there
   std::vector<std::int32_t> cells;
   std::vector<std::array<double, 4> > weights;
-  // if they are kept
-  Feature_complex complex;
-  Feature_elements features;
+  Feature_complex complex; // if features are kept
 };
 
 // Extracts, and fills in the numbers of the report. Returns why there is nothing, if so.
-// \param volume all cells, with an aligned boundary
-// \param points per vertex of the volume
-std::optional<Refusal> extract(const Flat_volume& volume, const std::vector<Uvw>& points,
-                               const Extraction_options& options, Hexahedral_soup& soup,
+std::optional<Refusal> extract(const Extraction_options& options, Extraction& extraction,
                                Hexahedra_report& report);
 
 } // namespace internal

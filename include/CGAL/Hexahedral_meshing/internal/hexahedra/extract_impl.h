@@ -18,12 +18,14 @@
 // The steps of the extraction: conditions, vertices, hexahedra, points, conclusions.
 
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Corner_finder.h>
+#include <CGAL/Hexahedral_meshing/internal/hexahedra/Feature_elements.h>
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Grid_conditions.h>
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Grid_map.h>
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Grid_vertices.h>
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Hexahedra_topology.h>
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/extract.h>
 
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Seamless_snapping/internal/volume/Signed_union_find.h>
 
 #include <CGAL/Exact_rational.h>
@@ -36,7 +38,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,12 +67,7 @@ inline std::array<double, 4> barycentric_coordinates(const Cell_sides& sides, co
     for(std::size_t i = 0; i < 4; ++i) {
       Uvw_tetrahedron u = sides.corners();
       u[i] = at.p;
-      std::array<std::array<Number, 3>, 3> e;
-      for(std::size_t j = 0; j < 3; ++j)
-        for(std::size_t c = 0; c < 3; ++c)
-          e[j][c] = Number(u[j + 1][c]) - Number(u[0][c]);
-      exact[i] = inner_product(e[0], vector_product(e[1], e[2]));
-      total += exact[i];
+      total += exact[i] = exact_determinant<Number>(u);
     }
     for(std::size_t i = 0; i < 4; ++i)
       result[i] = CGAL::to_double(Number(exact[i] / total));
@@ -86,10 +82,10 @@ template <typename ConcurrencyTag>
 class Hexahedra_extraction
 {
 public:
-  Hexahedra_extraction(const Flat_volume& volume, const std::vector<Uvw>& points,
-                       const Extraction_options& options, Hexahedral_soup& soup,
+  Hexahedra_extraction(const Extraction_options& options, Extraction& extraction,
                        Hexahedra_report& report)
-    : m_volume(volume), m_points(points), m_options(options), m_soup(soup), m_report(report)
+    : m_options(options), m_extraction(extraction), m_volume(extraction.volume),
+      m_mesh(extraction.mesh), m_report(report)
   { }
 
   std::optional<Refusal> run()
@@ -109,9 +105,8 @@ public:
         return error_of_ours("a walk from a center to a corner has no end");
       find_points(map, vertices);
       if(m_options.keeps_features) {
-        m_soup.complex = Feature_complex_finder(m_volume).run();
-        m_soup.features =
-          Feature_element_finder(map, vertices).run(m_soup.complex.lines, m_is_mirrored);
+        m_extraction.complex = Feature_complex_finder(m_volume).run();
+        Feature_element_finder(map, vertices).run(m_extraction.complex, m_is_mirrored, m_mesh);
       }
     }
     return conclude(conditions);
@@ -123,11 +118,10 @@ private:
 
   static Refusal too_large(const double number, const std::size_t limit)
   {
-    std::ostringstream message;
-    message << "there would be about " << number << " hexahedra, and no more than " << limit
-            << " are allowed";
-    return {Outcome::TOO_LARGE,
-            message.str() + remedy("scale the map down, or raise maximum_number")};
+    return {Outcome::TOO_LARGE, "there would be about " + short_number(number) +
+                                  " hexahedra, and no more than " + std::to_string(limit) +
+                                  " are allowed" +
+                                  remedy("scale the map down, or raise maximum_number")};
   }
 
   static Refusal error_of_ours(const std::string& what)
@@ -159,11 +153,18 @@ private:
           add_hexahedra(map, std::int32_t(c), corners, result);
         return result;
       }, cells_of_chunk);
-    m_soup.hexahedra.reserve(m_report.number_of_hexahedra);
+    m_mesh.hexahedra.reserve(m_report.number_of_hexahedra);
     for(const std::vector<Hexahedron>& part : parts)
-      m_soup.hexahedra.insert(m_soup.hexahedra.end(), part.begin(), part.end());
-    return std::all_of(m_soup.hexahedra.begin(), m_soup.hexahedra.end(), [](const Hexahedron& h) {
-      return *std::min_element(h.begin(), h.end()) >= 0;
+      m_mesh.hexahedra.insert(m_mesh.hexahedra.end(), part.begin(), part.end());
+    return have_vertices(m_mesh.hexahedra);
+  }
+
+  // Whether all vertices were found.
+  template <typename Elements>
+  static bool have_vertices(const Elements& elements)
+  {
+    return std::all_of(elements.begin(), elements.end(), [](const auto& element) {
+      return *std::min_element(element.begin(), element.end()) >= 0;
     });
   }
 
@@ -179,7 +180,7 @@ private:
       for(std::size_t k = 0; k < 8; ++k) {
         Uvw corner = center.p;
         for(std::size_t c = 0; c < 3; ++c)
-          corner[c] += corner_of_cube[k][c] - 0.5;
+          corner[c] += double(coordinate_of_corner(k, c)) - 0.5;
         result.back()[k] = corners.vertex(center.p, corner);
       }
       if(m_is_mirrored[std::size_t(cell)] != 0)
@@ -191,10 +192,10 @@ private:
   void find_points(const Grid_map& map, const Grid_vertices& vertices)
   {
     m_report.number_of_vertices = vertices.size();
-    m_soup.points.resize(vertices.size());
+    m_mesh.points.resize(vertices.size());
     if(m_options.keeps_locations) {
-      m_soup.cells.resize(vertices.size());
-      m_soup.weights.resize(vertices.size());
+      m_extraction.cells.resize(vertices.size());
+      m_extraction.weights.resize(vertices.size());
     }
     for_each_chunk<ConcurrencyTag>(chunks_of(map.number_of_cells(), cells_of_chunk),
                                    [&](const Chunk& chunk) {
@@ -212,17 +213,19 @@ private:
   void find_point(const Cell_sides& sides, const std::size_t v, const Cell_point& at)
   {
     const std::array<double, 4> weights = barycentric_coordinates(sides, at);
-    Uvw& point = m_soup.points[v];
+    Uvw& point = m_mesh.points[v];
     point = {0, 0, 0};
     for(std::size_t i = 0; i < 4; ++i)
       for(std::size_t c = 0; c < 3 && weights[i] != 0; ++c)
-        point[c] += weights[i] * m_points[std::size_t(
-                                   m_volume.vertex(4 * at.cell + Corner_index(i)))][c];
+        point[c] += weights[i] * point_of_corner(4 * std::size_t(at.cell) + i)[c];
     if(m_options.keeps_locations) {
-      m_soup.cells[v] = at.cell;
-      m_soup.weights[v] = weights;
+      m_extraction.cells[v] = at.cell;
+      m_extraction.weights[v] = weights;
     }
   }
+
+  const Uvw& point_of_corner(const std::size_t i) const
+  { return m_extraction.points[std::size_t(m_volume.vertices[i])]; }
 
   // There, corners are listed in the other order, so that hexahedra are positive in space.
   void find_mirrored_cells()
@@ -236,7 +239,7 @@ private:
     for(std::size_t c = 0; c < size; ++c) {
       Uvw_tetrahedron x;
       for(std::size_t i = 0; i < 4; ++i)
-        x[i] = m_points[std::size_t(m_volume.vertices[4 * c + i])];
+        x[i] = point_of_corner(4 * c + i);
       volume[components.root(c)] += six_times_volume(x);
     }
     m_is_mirrored.resize(size);
@@ -247,71 +250,61 @@ private:
   std::string name_of_hexahedron(const std::int32_t i) const
   {
     Uvw middle{};
-    for(const std::int32_t v : m_soup.hexahedra[std::size_t(i)])
+    for(const std::int32_t v : m_mesh.hexahedra[std::size_t(i)])
       for(std::size_t c = 0; c < 3; ++c)
-        middle[c] += m_soup.points[std::size_t(v)][c] / 8;
-    std::ostringstream name;
-    name << "the hexahedron at (" << middle[0] << ", " << middle[1] << ", " << middle[2] << ")";
-    return name.str();
+        middle[c] += m_mesh.points[std::size_t(v)][c] / 8;
+    return "the hexahedron at (" + short_number(middle[0]) + ", " + short_number(middle[1]) + ", " +
+           short_number(middle[2]) + ")";
   }
 
   std::optional<Refusal> conclude(Grid_conditions& conditions)
   {
-    if(m_soup.hexahedra.size() != m_report.number_of_hexahedra)
-      return error_of_ours("there are " + std::to_string(m_soup.hexahedra.size()) +
+    if(m_mesh.hexahedra.size() != m_report.number_of_hexahedra)
+      return error_of_ours("there are " + std::to_string(m_mesh.hexahedra.size()) +
                            " hexahedra, but the map has a volume of " +
                            std::to_string(m_report.number_of_hexahedra));
     const Hexahedra_topology topology =
-      Topology_finder(m_soup.hexahedra, m_soup.points.size()).run(ConcurrencyTag());
+      Topology_finder(m_mesh.hexahedra, m_mesh.points.size()).run(ConcurrencyTag(), m_report);
     if(topology.bad_hexahedron >= 0)
       return Refusal(Outcome::TOO_COARSE, name_of_hexahedron(topology.bad_hexahedron) +
                      " has a vertex twice, or four vertices in common with two others, as the "
                      "grid is too coarse there" + remedy(scale_up));
-    m_report.number_of_edges = topology.number_of_edges;
-    m_report.number_of_quadrilaterals = topology.number_of_quadrilaterals;
-    m_report.number_of_boundary_quadrilaterals = topology.boundary.size();
-    m_report.irregular_edges = topology.irregular_edges;
     const auto is_about = [](const double x, const std::size_t n)
     { return std::abs(x - double(n)) < 0.5; };
     if(topology.number_of_unused_vertices > 0)
       return error_of_ours("a vertex belongs to no hexahedron");
     if(!topology.is_boundary_closed ||
-       !is_about(conditions.border_area(), topology.boundary.size()))
+       !is_about(conditions.border_area(), m_report.number_of_boundary_quadrilaterals))
       return error_of_ours("the boundary of the hexahedra is not that of the map");
     if(m_options.keeps_features && !are_features_complete())
       return error_of_ours("the boundary or a feature is not found in the hexahedra");
-    return check_edges(conditions, topology);
+    return check_edges(conditions);
   }
 
   bool are_features_complete() const
   {
-    const Feature_elements& features = m_soup.features;
     std::size_t number = 0; // of quadrilaterals on the boundary
-    for(const std::int32_t i : features.facets) {
+    for(const std::int32_t i : m_mesh.feature_facets) {
       const Corner_index facet = m_volume.aligned_facets[std::size_t(i)];
       number += std::size_t(m_volume.opposite[std::size_t(facet)] == no_facet);
     }
-    const auto is_found = [](const auto& element)
-    { return *std::min_element(element.begin(), element.end()) >= 0; };
     return number == m_report.number_of_boundary_quadrilaterals &&
-           std::all_of(features.quadrilaterals.begin(), features.quadrilaterals.end(), is_found) &&
-           std::all_of(features.edges.begin(), features.edges.end(), is_found);
+           have_vertices(m_mesh.quadrilaterals) && have_vertices(m_mesh.edges);
   }
 
   // Edges with the same ends are one pair of vertices: then the others are fewer.
-  std::optional<Refusal> check_edges(Grid_conditions& conditions,
-                                     const Hexahedra_topology& topology)
+  std::optional<Refusal> check_edges(Grid_conditions& conditions)
   {
     const std::ptrdiff_t edges =
-      std::ptrdiff_t(m_report.number_of_vertices + topology.number_of_quadrilaterals) -
+      std::ptrdiff_t(m_report.number_of_vertices + m_report.number_of_quadrilaterals) -
       std::ptrdiff_t(m_report.number_of_hexahedra) - conditions.euler_characteristic();
-    const std::ptrdiff_t missing = edges - std::ptrdiff_t(topology.number_of_edges);
+    const std::ptrdiff_t missing = edges - std::ptrdiff_t(m_report.number_of_edges);
     if(missing < 0)
       return error_of_ours("the hexahedra have another Euler characteristic than the cells");
     m_report.number_of_double_edges = std::size_t(missing);
     if(missing > 0)
       return std::nullopt;
-    std::map<int, std::size_t> irregular = topology.irregular_edges;
+    std::map<int, std::size_t> irregular = m_report.irregular_edges;
     for(const auto& [turns, length] : conditions.singular_lengths())
       if(!(std::abs(length - double(irregular[turns])) < 0.5))
         return error_of_ours("the edges with " + std::to_string(turns) + " hexahedra are not as "
@@ -321,23 +314,21 @@ private:
     return std::nullopt;
   }
 
-  const Flat_volume& m_volume;
-  std::vector<char> m_is_mirrored; // per cell: the map mirrors its component
-  const std::vector<Uvw>& m_points;
   const Extraction_options& m_options;
-  Hexahedral_soup& m_soup;
+  Extraction& m_extraction;
+  const Flat_volume& m_volume;
+  Hexahedral_mesh& m_mesh;
   Hexahedra_report& m_report;
+  std::vector<char> m_is_mirrored; // per cell: the map mirrors its component
 };
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-std::optional<Refusal> extract(const Flat_volume& volume, const std::vector<Uvw>& points,
-                               const Extraction_options& options, Hexahedral_soup& soup,
+std::optional<Refusal> extract(const Extraction_options& options, Extraction& extraction,
                                Hexahedra_report& report)
 {
   if(options.is_parallel)
-    return Hexahedra_extraction<CGAL::Parallel_if_available_tag>(volume, points, options, soup,
-                                                                 report).run();
-  return Hexahedra_extraction<CGAL::Sequential_tag>(volume, points, options, soup, report).run();
+    return Hexahedra_extraction<CGAL::Parallel_if_available_tag>(options, extraction, report).run();
+  return Hexahedra_extraction<CGAL::Sequential_tag>(options, extraction, report).run();
 }
 
 } // namespace internal

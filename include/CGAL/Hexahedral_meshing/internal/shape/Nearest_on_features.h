@@ -34,61 +34,55 @@
 #include <CGAL/AABB_triangle_primitive_3.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Hexahedral_meshing {
 namespace internal {
 
+using Space_kernel = CGAL::Simple_cartesian<double>;
+
 #if CGAL_VERSION_NR < 1060000000
-template <typename Kernel, typename Primitive>
-using Nearest_traits = CGAL::AABB_traits<Kernel, Primitive>;
-template <typename Kernel, typename Iterator>
-using Triangle_primitive = CGAL::AABB_triangle_primitive<Kernel, Iterator>;
-template <typename Kernel, typename Iterator>
-using Segment_primitive = CGAL::AABB_segment_primitive<Kernel, Iterator>;
+template <typename Primitive>
+using Nearest_traits = CGAL::AABB_traits<Space_kernel, Primitive>;
+template <typename Iterator>
+using Triangle_primitive = CGAL::AABB_triangle_primitive<Space_kernel, Iterator>;
+template <typename Iterator>
+using Segment_primitive = CGAL::AABB_segment_primitive<Space_kernel, Iterator>;
 #else
-template <typename Kernel, typename Primitive>
-using Nearest_traits = CGAL::AABB_traits_3<Kernel, Primitive>;
-template <typename Kernel, typename Iterator>
-using Triangle_primitive = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
-template <typename Kernel, typename Iterator>
-using Segment_primitive = CGAL::AABB_segment_primitive_3<Kernel, Iterator>;
+template <typename Primitive>
+using Nearest_traits = CGAL::AABB_traits_3<Space_kernel, Primitive>;
+template <typename Iterator>
+using Triangle_primitive = CGAL::AABB_triangle_primitive_3<Space_kernel, Iterator>;
+template <typename Iterator>
+using Segment_primitive = CGAL::AABB_segment_primitive_3<Space_kernel, Iterator>;
 #endif
 
-template <typename Any_element, template <typename, typename> class Primitive>
-struct Trees_of
-{
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Element = Any_element;
-  using Traits = Nearest_traits<
-    Kernel, Primitive<Kernel, typename std::vector<Element>::const_iterator> >;
-};
-
-using Triangle_trees =
-  Trees_of<CGAL::Simple_cartesian<double>::Triangle_3, Triangle_primitive>;
-using Segment_trees = Trees_of<CGAL::Simple_cartesian<double>::Segment_3, Segment_primitive>;
-
-// Sets of elements; the tree of each is built when it is first asked.
-template <typename Trees>
+// Numbered sets of elements; the tree of each is built when it is first asked.
+template <typename Element, template <typename> class Primitive>
 class Nearest_on_sets
 {
-  using Point = typename Trees::Kernel::Point_3;
-  using Tree = CGAL::AABB_tree<typename Trees::Traits>;
+  using Point = Space_kernel::Point_3;
+  using Tree =
+    CGAL::AABB_tree<Nearest_traits<Primitive<typename std::vector<Element>::const_iterator> > >;
 
 public:
-  using Element = typename Trees::Element;
-
-  explicit Nearest_on_sets(std::vector<std::vector<Element> > sets)
-    : m_sets(std::move(sets)), m_trees(m_sets.size())
-  { }
+  // Elements without an extent are left out.
+  // \pre no tree is built yet
+  void add(const std::size_t set, const Element& element)
+  {
+    m_sets.resize((std::max)(m_sets.size(), set + 1));
+    if(!element.is_degenerate())
+      m_sets[set].push_back(element);
+  }
 
   // \param near_by a point on an element of the set, which bounds the search
   Uvw nearest(const std::size_t set, const Uvw& p, const Uvw& near_by)
   {
+    m_trees.resize(m_sets.size());
     if(m_trees[set] == nullptr)
       m_trees[set] = std::make_unique<Tree>(m_sets[set].begin(), m_sets[set].end());
     if(m_sets[set].empty())

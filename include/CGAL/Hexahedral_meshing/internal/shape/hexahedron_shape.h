@@ -17,7 +17,7 @@
 
 // The shape of a hexahedron: its corners as tetrahedra.
 
-#include <CGAL/Hexahedral_meshing/internal/packages_below.h>
+#include <CGAL/Hexahedral_meshing/internal/hexahedra/Hexahedron.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 
 #include <CGAL/enum.h>
@@ -26,6 +26,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace CGAL {
 namespace Hexahedral_meshing {
@@ -33,21 +34,35 @@ namespace internal {
 
 using Hexahedron_points = std::array<Uvw, 8>;
 
-// A corner with the ends of its edges, in a right-handed order: a positive tetrahedron in a cube.
-constexpr int tetrahedron_of_corner[8][4] = {{0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6},
-                                             {3, 0, 2, 7}, {4, 7, 5, 0}, {5, 4, 6, 1},
-                                             {6, 5, 7, 2}, {7, 6, 4, 3}};
+// The points of a hexahedron, among points whose coordinates convert to `double`.
+template <typename PointRange, typename Hexahedron_indices>
+Hexahedron_points points_of(const PointRange& points, const Hexahedron_indices& indices)
+{
+  Hexahedron_points result;
+  std::size_t k = 0;
+  for(const auto i : indices) {
+    const auto& p = *(std::begin(points) + static_cast<std::ptrdiff_t>(i));
+    result[k++] = {static_cast<double>(p[0]), static_cast<double>(p[1]),
+                   static_cast<double>(p[2])};
+  }
+  return result;
+}
+
+// Corner k with the ends of its edges, in a right-handed order: a positive tetrahedron in a cube.
+template <typename T>
+std::array<T, 4> tetrahedron_of_corner(const std::array<T, 8>& h, const std::size_t k)
+{
+  const std::size_t first = is_left_handed(k) ? 1 : 0;
+  return {h[k], h[k ^ step_along[first]], h[k ^ step_along[1 - first]], h[k ^ step_along[2]]};
+}
 
 // A bit for each corner that is positive, exactly.
 inline unsigned int positive_corners(const Hexahedron_points& p)
 {
   unsigned int result = 0;
-  for(std::size_t k = 0; k < 8; ++k) {
-    const auto& t = tetrahedron_of_corner[k];
-    if(orientation({{p[std::size_t(t[0])], p[std::size_t(t[1])], p[std::size_t(t[2])],
-                     p[std::size_t(t[3])]}}) == CGAL::POSITIVE)
+  for(std::size_t k = 0; k < 8; ++k)
+    if(orientation(tetrahedron_of_corner(p, k)) == CGAL::POSITIVE)
       result |= 1u << k;
-  }
   return result;
 }
 
@@ -64,17 +79,15 @@ inline double scaled_determinant(const Uvw& a, const Uvw& b, const Uvw& c)
 inline double scaled_jacobian(const Hexahedron_points& p)
 {
   std::array<Uvw, 3> axes{};
-  for(std::size_t c = 0; c < 3; ++c) {
-    axes[0][c] = p[1][c] + p[2][c] + p[5][c] + p[6][c] - p[0][c] - p[3][c] - p[4][c] - p[7][c];
-    axes[1][c] = p[2][c] + p[3][c] + p[6][c] + p[7][c] - p[0][c] - p[1][c] - p[4][c] - p[5][c];
-    axes[2][c] = p[4][c] + p[5][c] + p[6][c] + p[7][c] - p[0][c] - p[1][c] - p[2][c] - p[3][c];
-  }
+  for(std::size_t axis = 0; axis < 3; ++axis)
+    for(std::size_t k = 0; k < 8; ++k)
+      for(std::size_t c = 0; c < 3; ++c)
+        axes[axis][c] += coordinate_of_corner(k, axis) != 0 ? p[k][c] : -p[k][c];
   double result = scaled_determinant(axes[0], axes[1], axes[2]);
-  for(const auto& t : tetrahedron_of_corner) {
-    const Uvw& at = p[std::size_t(t[0])];
-    result = (std::min)(result, scaled_determinant(vector_to(at, p[std::size_t(t[1])]),
-                                                   vector_to(at, p[std::size_t(t[2])]),
-                                                   vector_to(at, p[std::size_t(t[3])])));
+  for(std::size_t k = 0; k < 8; ++k) {
+    const std::array<Uvw, 4> t = tetrahedron_of_corner(p, k);
+    result = (std::min)(result, scaled_determinant(vector_to(t[0], t[1]), vector_to(t[0], t[2]),
+                                                   vector_to(t[0], t[3])));
   }
   return result;
 }

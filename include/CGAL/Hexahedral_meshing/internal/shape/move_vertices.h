@@ -17,29 +17,19 @@
 
 // Moves of vertices that make hexahedra positive.
 
-#include <CGAL/Hexahedral_meshing/types/Hexahedral_mesh.h>
-#include <CGAL/Linear_snapping/internal/exact/Uv.h>
+#include <CGAL/Hexahedral_meshing/internal/hexahedra/extract.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 
-#include <array>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL {
 namespace Hexahedral_meshing {
 namespace internal {
 
-// In space, by numbers of patches and curves less one.
-struct Feature_geometry
-{
-  std::vector<std::vector<std::array<Uvw, 3> > > patches;
-  std::vector<std::vector<std::array<Uvw, 2> > > curves;
-};
-
 // At most so many rounds over the vertices near hexahedra that are not positive. Vertices of
 // patches and curves stay there.
-void move_vertices(Hexahedral_mesh& mesh, const Feature_geometry& geometry,
-                   std::size_t number_of_rounds);
+// \pre features are kept
+void move_vertices(Extraction& extraction, std::size_t number_of_rounds);
 
 } // namespace internal
 } // namespace Hexahedral_meshing

@@ -28,115 +28,103 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <tuple>
+#include <set>
 #include <vector>
 
 namespace CGAL {
 namespace Hexahedral_meshing {
 namespace internal {
 
-// Where a vertex may move. Vertices at which curves or patches end, a curve bends in the domain, or
-// goes through a patch are fixed.
+// Where a vertex may move.
 struct Freedom
 {
   enum Kind { INSIDE, ON_PATCH, ON_CURVE, FIXED };
 
   Kind kind = INSIDE;
-  std::size_t number = 0; // of the patch or curve, less one
+  std::int32_t number = 0; // of the patch or curve
 };
 
-using Lists_of_hexahedra = Lists<std::int32_t>; // per vertex
+using Lists_by_vertex = Lists<std::int32_t>;
 
-inline Lists_of_hexahedra hexahedra_of_vertices(const Hexahedral_mesh& mesh)
+// The numbers of the elements at each vertex.
+template <typename Elements>
+Lists_by_vertex elements_of_vertices(const Hexahedral_mesh& mesh, const Elements& elements)
 {
-  return Lists_of_hexahedra(mesh.points.size(), [&](const auto& add) {
-    for(std::size_t i = 0; i < mesh.hexahedra.size(); ++i)
-      for(const std::int32_t v : mesh.hexahedra[i])
+  return Lists_by_vertex(mesh.points.size(), [&](const auto& add) {
+    for(std::size_t i = 0; i < elements.size(); ++i)
+      for(const std::int32_t v : elements[i])
         add(v, std::int32_t(i));
   });
 }
 
-// Finds where vertices may move.
-class Freedom_finder
+// Whether two edges at a vertex go on straight in the domain: no hexahedron has both.
+inline bool are_straight(const Hexahedral_mesh& mesh, const Lists_by_vertex& hexahedra_of,
+                         const std::int32_t v, const std::size_t e, const std::size_t f)
 {
-public:
-  Freedom_finder(const Hexahedral_mesh& mesh, const Lists_of_hexahedra& hexahedra_of)
-    : m_mesh(mesh), m_hexahedra_of(hexahedra_of), m_freedoms(mesh.points.size()),
-      m_edges_of(mesh.points.size(), [&](const auto& add) {
-        for(std::size_t i = 0; i < mesh.edges.size(); ++i)
-          for(const std::int32_t v : mesh.edges[i])
-            add(v, std::int32_t(i));
-      })
-  { }
+  const auto other_end = [&](const std::size_t edge)
+  { return mesh.edges[edge][std::size_t(mesh.edges[edge][0] == v)]; };
+  const auto hexahedra = hexahedra_of[v];
+  return std::none_of(hexahedra.begin(), hexahedra.end(), [&](const std::int32_t i) {
+    const auto& h = mesh.hexahedra[std::size_t(i)];
+    return std::count(h.begin(), h.end(), other_end(e)) > 0 &&
+           std::count(h.begin(), h.end(), other_end(f)) > 0;
+  });
+}
 
-  std::vector<Freedom> find()
-  {
-    std::vector<char> is_pierced(m_freedoms.size(), 0); // a curve goes through a patch, so far
-    for(std::size_t i = 0; i < m_mesh.quadrilaterals.size(); ++i)
-      for(std::size_t k = 0; k < 4; ++k) {
-        const auto& q = m_mesh.quadrilaterals[i];
-        Freedom& freedom = m_freedoms[std::size_t(q[k])];
-        const Freedom now{Freedom::ON_PATCH, std::size_t(m_mesh.patches[i] - 1)};
-        char& is_pierced_here = is_pierced[std::size_t(q[k])];
-        if(freedom.kind == Freedom::INSIDE) {
-          freedom = now;
-          is_pierced_here = 1;
-        } else if(freedom.number != now.number) {
-          freedom.kind = Freedom::FIXED;
-        }
-        for(const std::int32_t edge : m_edges_of[q[k]])
-          if(const std::int32_t w = other_end(edge, q[k]);
-             w == q[(k + 1) % 4] || w == q[(k + 3) % 4])
-            is_pierced_here = 0;
-      }
-    for(std::size_t v = 0; v < m_freedoms.size(); ++v)
-      if(!m_edges_of[v].empty()) {
-        m_freedoms[v].kind = Freedom::FIXED;
-        if(is_pierced[v] == 0 && is_on_straight_curve(std::int32_t(v)))
-          m_freedoms[v] = {Freedom::ON_CURVE,
-                           std::size_t(m_mesh.curves[std::size_t(m_edges_of[v].front())] - 1)};
-      }
-    return std::move(m_freedoms);
-  }
-
-private:
-  std::int32_t other_end(const std::int32_t edge, const std::int32_t v) const
-  {
-    const auto& ends = m_mesh.edges[std::size_t(edge)];
-    return ends[std::size_t(ends[0] == v)];
-  }
-
-  // In the domain: no hexahedron has both edges.
-  bool is_on_straight_curve(const std::int32_t v) const
-  {
-    const auto edges = m_edges_of[v];
-    if(edges.size() != 2 || m_mesh.curves[std::size_t(edges.front())] !=
-                              m_mesh.curves[std::size_t(edges.back())])
-      return false;
-    const auto hexahedra = m_hexahedra_of[v];
-    return std::none_of(hexahedra.begin(), hexahedra.end(), [&](const std::int32_t i) {
-      const auto& h = m_mesh.hexahedra[std::size_t(i)];
-      return std::count(h.begin(), h.end(), other_end(edges.front(), v)) > 0 &&
-             std::count(h.begin(), h.end(), other_end(edges.back(), v)) > 0;
-    });
-  }
-
-  const Hexahedral_mesh& m_mesh;
-  const Lists_of_hexahedra& m_hexahedra_of;
-  std::vector<Freedom> m_freedoms; // per vertex
-  Lists<std::int32_t> m_edges_of;  // per vertex
-};
+// Vertices at which curves or patches end, a curve bends in the domain, or goes through a patch are
+// fixed.
+inline std::vector<Freedom> find_freedoms(const Hexahedral_mesh& mesh,
+                                          const Lists_by_vertex& hexahedra_of)
+{
+  std::vector<Freedom> result(mesh.points.size());
+  const std::set<std::array<std::int32_t, 2> > edges(mesh.edges.begin(), mesh.edges.end());
+  std::vector<char> bounds_patch(result.size(), 0); // a quadrilateral has an edge of a curve there
+  for(std::size_t i = 0; i < mesh.quadrilaterals.size(); ++i)
+    for(std::size_t k = 0; k < 4; ++k) {
+      const std::int32_t v = mesh.quadrilaterals[i][k], w = mesh.quadrilaterals[i][(k + 1) % 4];
+      Freedom& freedom = result[std::size_t(v)];
+      if(freedom.kind == Freedom::INSIDE)
+        freedom = {Freedom::ON_PATCH, mesh.patches[i]};
+      else if(freedom.number != mesh.patches[i])
+        freedom.kind = Freedom::FIXED;
+      if(edges.count({(std::min)(v, w), (std::max)(v, w)}) > 0)
+        bounds_patch[std::size_t(v)] = bounds_patch[std::size_t(w)] = 1;
+    }
+  const Lists_by_vertex edges_of = elements_of_vertices(mesh, mesh.edges);
+  for(std::size_t v = 0; v < result.size(); ++v)
+    if(const auto at_vertex = edges_of[v]; !at_vertex.empty()) {
+      const auto first = std::size_t(at_vertex.front()), last = std::size_t(at_vertex.back());
+      const bool is_pierced = result[v].kind != Freedom::INSIDE && bounds_patch[v] == 0;
+      result[v].kind = Freedom::FIXED;
+      if(at_vertex.size() == 2 && !is_pierced && mesh.curves[first] == mesh.curves[last] &&
+         are_straight(mesh, hexahedra_of, std::int32_t(v), first, last))
+        result[v] = {Freedom::ON_CURVE, mesh.curves[first]};
+    }
+  return result;
+}
 
 // Invariant: a corner of a hexahedron that is positive stays so.
 class Vertex_moves
 {
 public:
-  Vertex_moves(Hexahedral_mesh& mesh, const Feature_geometry& geometry)
-    : m_mesh(mesh), m_hexahedra_of(hexahedra_of_vertices(mesh)),
-      m_freedoms(Freedom_finder(mesh, m_hexahedra_of).find()),
-      m_patches(sets<Triangle_trees>(geometry.patches)),
-      m_curves(sets<Segment_trees>(geometry.curves))
-  { }
+  explicit Vertex_moves(Extraction& extraction)
+    : m_mesh(extraction.mesh),
+      m_hexahedra_of(elements_of_vertices(extraction.mesh, extraction.mesh.hexahedra)),
+      m_freedoms(find_freedoms(extraction.mesh, m_hexahedra_of))
+  {
+    const auto point = [&](const Corner_index i) {
+      const Uvw& p = extraction.points[std::size_t(extraction.volume.vertex(i))];
+      return Space_kernel::Point_3(p[0], p[1], p[2]);
+    };
+    const Feature_complex& complex = extraction.complex;
+    for(std::size_t i = 0; i < complex.patches.size(); ++i) {
+      const auto c = corners_of_facet(extraction.volume.aligned_facets[i]);
+      m_patches.add(std::size_t(complex.patches[i]), {point(c[0]), point(c[1]), point(c[2])});
+    }
+    for(std::size_t i = 0; i < complex.lines.size(); ++i)
+      m_curves.add(std::size_t(complex.curves[i]),
+                   {point(complex.lines[i].a), point(complex.lines[i].b)});
+  }
 
   // At most so many rounds over the vertices near hexahedra that are not positive.
   void run(const std::size_t number_of_rounds)
@@ -159,36 +147,26 @@ private:
   static constexpr double regularization = 0.5, least_regularization = 1e-3;
 
   Hexahedron_points points(const std::int32_t i) const
-  {
-    Hexahedron_points result;
-    for(std::size_t k = 0; k < 8; ++k)
-      result[k] = m_mesh.points[std::size_t(m_mesh.hexahedra[std::size_t(i)][k])];
-    return result;
-  }
+  { return points_of(m_mesh.points, m_mesh.hexahedra[std::size_t(i)]); }
 
   std::vector<std::int32_t> vertices_to_move() const
   {
     std::vector<char> is_near(m_mesh.points.size(), 0);
-    std::vector<std::int32_t> result, ring;
-    const auto add_vertices_of = [&](const std::int32_t i) {
-      for(const std::int32_t v : m_mesh.hexahedra[std::size_t(i)])
-        if(is_near[std::size_t(v)] == 0) {
-          is_near[std::size_t(v)] = 1;
-          result.push_back(v);
-        }
-    };
-    for(std::size_t i = 0; i < m_mesh.hexahedra.size(); ++i)
-      if(!is_positive(points(std::int32_t(i))))
-        add_vertices_of(std::int32_t(i));
-    for(int k = 1; k < number_of_rings; ++k) {
-      ring = result;
-      for(const std::int32_t v : ring)
-        for(const std::int32_t i : m_hexahedra_of[v])
-          add_vertices_of(i);
+    for(int ring = 0; ring < number_of_rings; ++ring) {
+      const std::vector<char> was_near(is_near);
+      for(std::size_t i = 0; i < m_mesh.hexahedra.size(); ++i) {
+        const auto& h = m_mesh.hexahedra[i];
+        if(ring == 0 ? !is_positive(points(std::int32_t(i)))
+                     : std::any_of(h.begin(), h.end(), [&](const std::int32_t v)
+                                   { return was_near[std::size_t(v)] != 0; }))
+          for(const std::int32_t v : h)
+            is_near[std::size_t(v)] = 1;
+      }
     }
-    const auto is_fixed = [&](const std::int32_t v)
-    { return m_freedoms[std::size_t(v)].kind == Freedom::FIXED; };
-    result.erase(std::remove_if(result.begin(), result.end(), is_fixed), result.end());
+    std::vector<std::int32_t> result;
+    for(std::size_t v = 0; v < is_near.size(); ++v)
+      if(is_near[v] != 0 && m_freedoms[v].kind != Freedom::FIXED)
+        result.push_back(std::int32_t(v));
     return result;
   }
 
@@ -230,28 +208,11 @@ private:
     const Uvw& point = m_mesh.points[std::size_t(v)];
     if(freedom.kind == Freedom::INSIDE)
       return target;
-    const Uvw result = freedom.kind == Freedom::ON_PATCH
-                         ? m_patches.nearest(freedom.number, target, point)
-                         : m_curves.nearest(freedom.number, target, point);
+    const auto number = std::size_t(freedom.number);
+    const Uvw result = freedom.kind == Freedom::ON_PATCH ? m_patches.nearest(number, target, point)
+                                                         : m_curves.nearest(number, target, point);
     const Uvw step = vector_to(point, target), miss = vector_to(target, result);
     return inner_product(miss, miss) <= inner_product(step, step) ? result : point;
-  }
-
-  // Elements without an extent are left out.
-  template <typename Trees, typename Elements>
-  static std::vector<std::vector<typename Trees::Element> > sets(const Elements& elements)
-  {
-    std::vector<std::vector<typename Trees::Element> > result(elements.size());
-    const auto point = [](const Uvw& p)
-    { return typename Trees::Kernel::Point_3(p[0], p[1], p[2]); };
-    for(std::size_t i = 0; i < elements.size(); ++i)
-      for(const auto& e : elements[i]) {
-        const auto element = std::apply([&](const auto&... p)
-                                        { return typename Trees::Element(point(p)...); }, e);
-        if(!element.is_degenerate())
-          result[i].push_back(element);
-      }
-    return result;
   }
 
   // The positive corners of each hexahedron around v.
@@ -291,17 +252,13 @@ private:
   void for_each_corner(const std::int32_t v, const F& f) const
   {
     for(const std::int32_t i : m_hexahedra_of[v]) {
-      const auto& h = m_mesh.hexahedra[std::size_t(i)];
-      for(const auto& t : tetrahedron_of_corner) {
-        bool has_vertex = false;
-        for(const int k : t)
-          has_vertex = has_vertex || h[std::size_t(k)] == v;
-        if(!has_vertex)
+      for(std::size_t k = 0; k < 8; ++k) {
+        const auto t = tetrahedron_of_corner(m_mesh.hexahedra[std::size_t(i)], k);
+        if(std::count(t.begin(), t.end(), v) == 0)
           continue;
-        const auto point = [&](const int k) -> const Uvw&
-        { return m_mesh.points[std::size_t(h[std::size_t(t[k])])]; };
-        f(std::array<Uvw, 3>{{vector_to(point(0), point(1)), vector_to(point(0), point(2)),
-                              vector_to(point(0), point(3))}});
+        const auto edge_to = [&](const std::size_t end)
+        { return vector_to(m_mesh.points[std::size_t(t[0])], m_mesh.points[std::size_t(t[end])]); };
+        f(std::array<Uvw, 3>{{edge_to(1), edge_to(2), edge_to(3)}});
       }
     }
   }
@@ -337,18 +294,17 @@ private:
   }
 
   Hexahedral_mesh& m_mesh;
-  const Lists_of_hexahedra m_hexahedra_of;
+  const Lists_by_vertex m_hexahedra_of;
   const std::vector<Freedom> m_freedoms; // per vertex
-  Nearest_on_sets<Triangle_trees> m_patches;
-  Nearest_on_sets<Segment_trees> m_curves;
+  Nearest_on_sets<Space_kernel::Triangle_3, Triangle_primitive> m_patches; // by their numbers
+  Nearest_on_sets<Space_kernel::Segment_3, Segment_primitive> m_curves;
   double m_size = 1, m_regularization = least_regularization; // of the vertex that moves
 };
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-void move_vertices(Hexahedral_mesh& mesh, const Feature_geometry& geometry,
-                   const std::size_t number_of_rounds)
+void move_vertices(Extraction& extraction, const std::size_t number_of_rounds)
 {
-  Vertex_moves(mesh, geometry).run(number_of_rounds);
+  Vertex_moves(extraction).run(number_of_rounds);
 }
 
 } // namespace internal
