@@ -149,10 +149,10 @@ private:
       link(system.row(i));
     for(const Separation& s : separations)
       link(s);
-    for(const char linked : {1, 0}) {
+    for(const bool linked : {true, false}) {
       m_number_of_linked_unknowns = m_number_of_unknowns;
       for(std::size_t j = 0; j < m_unknown.size(); ++j)
-        if(is_linked[j] == linked && m_columns.root(j) == j && !m_columns.is_zero(j))
+        if((is_linked[j] != 0) == linked && m_columns.root(j) == j && !m_columns.is_zero(j))
           m_unknown[j] = Column_index(m_number_of_unknowns++);
     }
   }
