@@ -17,6 +17,13 @@ add_library(seamless_snapping_precompiled OBJECT ${library_sources} ${precompile
 seamless_snapping_options(seamless_snapping_precompiled)
 target_compile_definitions(seamless_snapping_precompiled
   PUBLIC CGAL_SEAMLESS_SNAPPING_COMPILED)
+# Short sources are compiled together: to load the precompiled headers takes several seconds.
+set_target_properties(seamless_snapping_precompiled PROPERTIES
+  UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+set_source_files_properties(${precompiled} PROPERTIES UNITY_GROUP of_surfaces)
+set(short_sources ${library_sources})
+list(FILTER short_sources INCLUDE REGEX "/(linear|layouts|volumes|hexahedra)\\.cpp$")
+set_source_files_properties(${short_sources} PROPERTIES UNITY_GROUP of_library)
 # All programs have the same definitions, hence the same headers: some run in parallel.
 find_package(TBB QUIET)
 include(CGAL_TBB_support)
@@ -71,6 +78,7 @@ function(seamless_snapping_share target part)
     file(GENERATE OUTPUT "${unit}" CONTENT
       "#include \"${Seamless_snapping_SOURCE_DIR}/cmake/precompiled/${part}.h\"\n\
 #include \"${CMAKE_CURRENT_SOURCE_DIR}/${source}\"\n")
+    set_source_files_properties("${unit}" PROPERTIES UNITY_GROUP with_${part})
     list(REMOVE_ITEM sources "${source}")
     list(APPEND sources "${unit}")
   endforeach()
