@@ -21,7 +21,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 int main(int argc, char* argv[])
 {
-  const std::string input = (argc > 1) ? argv[1] : "data/genus3_features.obj";
+  const std::string input = (argc > 1) ? argv[1] : "data/genus3.off";
   const std::size_t number_of_quads = (argc > 2) ? std::size_t(std::atol(argv[2])) : 2000;
   const std::string output = (argc > 3) ? argv[3] : "quads.off";
   Mesh mesh;
