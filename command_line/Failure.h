@@ -7,7 +7,7 @@
 #include <string>
 
 // `STILL_FLIPPED`: the result is exact and written, but flips remain after a repair, or quads are
-// inverted, or they are more than twice as many as wanted and nothing forces them.
+// inverted or folded, or they are more than twice as many as wanted and nothing forces them.
 enum Exit
 {
   SUCCESS = 0, NOT_SOLVED = 1, USAGE = 2, UNREADABLE = 3, UNWRITABLE = 4, STILL_FLIPPED = 5

@@ -24,15 +24,17 @@ void check_quad_file(const std::string& filename)
     throw Failure(USAGE, "'" + filename + "': quads are written to .obj, .off, and .ply files");
 }
 
-void write_inverted_quads(std::ostream& os, const std::size_t number,
-                          const std::vector<std::size_t>& first, const std::string& filename)
+namespace {
+
+// \param why what is wrong with them
+void write_bad_quads(std::ostream& os, const std::size_t number,
+                     const std::vector<std::size_t>& first, const std::string& filename,
+                     const std::string& why)
 {
   if(number == 0)
     return;
-  os << "warning: " << counted(number, "quad") << (number == 1 ? " is" : " are")
-     << " inverted: at a corner, the sides turn the other way than the quad as a whole does, or a "
-        "side has no length, or it lies upside down. ";
-  os << (number == 1 ? "It is face" : number == first.size() ? "They are faces"
+  os << "warning: " << counted(number, "quad") << (number == 1 ? " is " : " are ") << why
+     << (number == 1 ? "It is face" : number == first.size() ? "They are faces"
                                                              : "The first are faces");
   const std::string suffix = suffix_of(filename);
   const std::size_t first_number = suffix == "off" || suffix == "ply" ? 0 : 1;
@@ -41,12 +43,36 @@ void write_inverted_quads(std::ostream& os, const std::size_t number,
   os << " of " << filename << "\n";
 }
 
+} // namespace
+
+void write_inverted_quads(std::ostream& os, const std::size_t number,
+                          const std::vector<std::size_t>& first, const std::string& filename)
+{
+  write_bad_quads(os, number, first, filename,
+                  "inverted: at a corner, the sides turn the other way than the quad as a whole "
+                  "does, or a side has no length. ");
+}
+
+void write_folded_quads(std::ostream& os, const std::size_t number,
+                        const std::vector<std::size_t>& first, const std::string& filename)
+{
+  write_bad_quads(os, number, first, filename,
+                  "folded, which means that the surface below faces the other way. ");
+}
+
 void check_inverted_quads(const std::size_t number, const std::string& filename,
                           const std::string& remedy)
 {
   if(number > 0)
     throw Failure(STILL_FLIPPED, filename + ": written, but " + counted(number, "quad") +
                                    (number == 1 ? " stays" : " stay") + " inverted" + remedy);
+}
+
+void check_folded_quads(const std::size_t number, const std::string& filename)
+{
+  if(number > 0)
+    throw Failure(STILL_FLIPPED, filename + ": written, but " + counted(number, "quad") +
+                                   (number == 1 ? " stays" : " stay") + " folded");
 }
 
 void write_displacement(std::ostream& os, const std::size_t number, const double largest)

@@ -22,6 +22,11 @@ void check_inverted_quads(std::size_t number, const std::string& filename,
 void write_inverted_quads(std::ostream& os, std::size_t number,
                           const std::vector<std::size_t>& first, const std::string& filename);
 
+// The same for quads that are folded.
+void check_folded_quads(std::size_t number, const std::string& filename);
+void write_folded_quads(std::ostream& os, std::size_t number,
+                        const std::vector<std::size_t>& first, const std::string& filename);
+
 // Of vertices that had to leave the surface or its features.
 void write_displacement(std::ostream& os, std::size_t number, double largest);
 

@@ -226,6 +226,8 @@ void write_summary(std::ostream& os, const Quad_options& options, const Model& m
   write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads,
                        options.output);
   if(result.smoothed) {
+    write_folded_quads(os, result.smoothed->number_of_folded_quads,
+                       result.smoothed->first_folded_quads, options.output);
     write_shape(os, *result.smoothed, result.diagonal);
     write_displacement(os, result.smoothed->number_of_displaced_vertices,
                        result.smoothed->largest_displacement);
@@ -238,6 +240,8 @@ void write_summary(std::ostream& os, const Quad_options& options, const Model& m
 nlohmann::json json_of_smoothing(const QR::Remeshing_report& report, const double diagonal)
 {
   nlohmann::json result = json_of_shape(report, diagonal);
+  result["number_of_folded_quads"] = report.number_of_folded_quads;
+  result["first_folded_quads"] = report.first_folded_quads;
   result["number_of_displaced_vertices"] = report.number_of_displaced_vertices;
   result["largest_displacement"] = report.largest_displacement;
   return result;
@@ -313,6 +317,8 @@ void quads(const Arguments& arguments)
                            options.number > 0 || result.report.number_of_cut_cells > 0 ? "" :
                              "; --number " + std::to_string(result.report.number_of_faces) +
                              " makes about as many and moves their vertices");
+    if(result.smoothed)
+      check_folded_quads(result.smoothed->number_of_folded_quads, options.output);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())

@@ -270,13 +270,28 @@ void check_edge_length(const Remesh_options& options, const Mesh& mesh, const Si
                         by_edge_length(number, most) + "; --maximum-number allows more", most);
 }
 
-// Throws `Failure` if there are many more quads than wanted without a reason.
-void check_number_of_quads(const Remesh_options& options, const QR::Remeshing_report& report)
+// The piece with the first face of a part.
+std::string name_of_piece(const QR::Part_of_other_size& part, const Model& model)
 {
-  if(report.has_too_many_quads)
-    throw Failure(STILL_FLIPPED, options.output + ": written, but " +
-                                   counted(report.number_of_quads, "quad") +
-                                   " are more than twice as many as wanted");
+  return in_words_of_user("the piece with " + Message(Message::FACE, "face", part.face), model);
+}
+
+// Throws `Failure` if there are many more quads than wanted without a reason, in all or in a piece.
+void check_number_of_quads(const Remesh_options& options, const QR::Remeshing_report& report,
+                           const Model& model)
+{
+  if(!report.has_too_many_quads)
+    return;
+  const auto& parts = report.parts_of_other_size;
+  const auto part = std::find_if(parts.begin(), parts.end(), [&](const auto& p) {
+    return p.has_too_many_quads && p.number_of_quads < report.number_of_quads;
+  });
+  throw Failure(STILL_FLIPPED, options.output + ": written, but " +
+                                 (part == parts.end() ? "" : name_of_piece(*part, model) + " has ") +
+                                 counted(part == parts.end() ? report.number_of_quads
+                                                             : part->number_of_quads, "quad") +
+                                 (part == parts.end() ? " are" : ",") +
+                                 " more than twice as many as wanted");
 }
 
 QR::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
@@ -351,10 +366,9 @@ std::string note_on_pieces(const QR::Remeshing_report& report, const Model& mode
        << "; --area-threshold 0 keeps all\n";
   const auto& parts = report.parts_of_other_size;
   for(std::size_t i = 0; i < parts.size() && i < most; ++i)
-    os << in_words_of_user("warning: the piece with " +
-                           Message(Message::FACE, "face", parts[i].face), model)
-       << " has " << counted(parts[i].number_of_quads, "quad") << " in place of "
-       << parts[i].number_wanted << " of the wanted size\n";
+    os << "warning: " << name_of_piece(parts[i], model) << " has "
+       << counted(parts[i].number_of_quads, "quad") << " in place of " << parts[i].number_wanted
+       << " of the wanted size, and needs " << parts[i].number_needed << "\n";
   if(parts.size() > most)
     os << "warning: quads of " << parts.size() - most << " more pieces have another size\n";
   return os.str();
@@ -365,7 +379,8 @@ nlohmann::json json_of(const std::vector<QR::Part_of_other_size>& parts)
   nlohmann::json result = nlohmann::json::array();
   for(const auto& p : parts)
     result.push_back({{"face", p.face}, {"number_of_quads", p.number_of_quads},
-                      {"number_wanted", p.number_wanted}});
+                      {"number_wanted", p.number_wanted}, {"number_needed", p.number_needed},
+                      {"has_too_many_quads", p.has_too_many_quads}});
   return result;
 }
 
@@ -407,13 +422,14 @@ struct Remesh_outcome
       os << "border: " << counted(report.number_of_corners_left_out, "corner")
          << " left out, of steps that are smaller than quads; --border-tolerance 0 keeps all\n";
     write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
-    if(report.number_of_inverted_quads > 0 &&
+    write_folded_quads(os, report.number_of_folded_quads, report.first_folded_quads, output);
+    if(report.number_of_inverted_quads + report.number_of_folded_quads > 0 &&
        report.number_of_quads < 10 * report.number_of_irregular_vertices)
       os << "note: these are few quads for so many irregular vertices; a larger --number leaves more "
             "room for good ones\n";
     write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
     if(report.number_of_released_edges > 0)
-      os << "not kept, as faces would be flipped, or quads inverted or thin: "
+      os << "not kept, as faces would be flipped, or quads inverted, folded, or thin: "
          << counted(report.number_of_released_edges, "feature edge")
          << ", or parts of edges, of length " << report.length_of_released_edges << " in sum\n";
     if(const auto& released = report.released_features; !released.empty())
@@ -461,6 +477,8 @@ struct Remesh_outcome
       {"number_of_irregular_vertices", report.number_of_irregular_vertices},
       {"number_of_inverted_quads", report.number_of_inverted_quads},
       {"first_inverted_quads", report.first_inverted_quads},
+      {"number_of_folded_quads", report.number_of_folded_quads},
+      {"first_folded_quads", report.first_folded_quads},
       {"number_of_displaced_vertices", report.number_of_displaced_vertices},
       {"largest_displacement", report.largest_displacement},
       {"edge_lengths", report.edge_lengths},
@@ -528,6 +546,7 @@ void remesh(const Arguments& arguments)
     outcome.turn = median_turn(quads, directions, model.mesh);
     write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
     quads.count_as_written(report.first_inverted_quads);
+    quads.count_as_written(report.first_folded_quads);
     quads.count_as_written(report.first_thin_quads);
     quads.count_as_written(report.first_degenerate_quads);
     if(!options.picture.empty())
@@ -535,7 +554,8 @@ void remesh(const Arguments& arguments)
     outcome.patches = write_patches(quads.mesh, quads.is_feature, options.patches);
     outcome.write_summary(os, options.output);
     check_inverted_quads(report.number_of_inverted_quads, options.output);
-    check_number_of_quads(options, report);
+    check_folded_quads(report.number_of_folded_quads, options.output);
+    check_number_of_quads(options, report, model);
   };
   run_and_tell(work, [&](const Exit status, const std::string& message) {
     if(!options.report.empty())

@@ -329,7 +329,8 @@ class Job:
         warning = ""
         if status == 5:
             fault = "There are more than twice as many quads as wanted" \
-                if any("twice as many" in line for line in self.lines()) else "Some quads are inverted"
+                if any("twice as many" in line for line in self.lines()) \
+                else "Some quads are inverted or folded"
             warning = fault + "; choose more Quads, or a larger Angle"
         elif notes:
             warning = in_words(notes[0].replace("note: ", ""), self.input)

@@ -57,11 +57,18 @@ def _concerns(figures):
     if figures.get("number_of_parts_left_out", 0) > 0 and not figures["has_area_threshold"]:
         yield (f"{figures['number_of_parts_left_out']} small closed parts were left out; pass "
                "area_threshold=0 to keep all")
-    if figures.get("has_too_many_quads"):
+    parts = [p for p in figures.get("parts_of_other_size", ()) if p["has_too_many_quads"]]
+    if parts and parts[0]["number_of_quads"] < figures["number_of_quads"]:
+        yield (f"the part with triangle {parts[0]['triangle']} has {parts[0]['number_of_quads']} quads, more "
+               "than twice as many as wanted")
+    elif figures.get("has_too_many_quads"):
         yield (f"{figures['number_of_quads']} quads are more than twice as many as wanted; pass fewer "
                "features, or ask for more quads")
     if figures.get("number_of_inverted_quads", 0) > 0:
         yield (f"{figures['number_of_inverted_quads']} quads are inverted; ask for more quads, or pass "
+               "fewer features")
+    if figures.get("number_of_folded_quads"):
+        yield (f"{figures['number_of_folded_quads']} quads are folded; ask for more quads, or pass "
                "fewer features")
     if figures.get("nonpositive_hexahedra"):
         yield (f"{len(figures['nonpositive_hexahedra'])} hexahedra have a corner that is not positive, "

@@ -59,7 +59,7 @@ def extract_quads(V, F, uv, quads=None, *, grid_scale=1, rounding=None, features
         int64 ``(k, 4)``: the quads
     report : dict, if `report` is True
         among others ``integers``, which tells in words where the whole numbers come from;
-        ``number_of_inverted_quads``;
+        ``number_of_inverted_quads``; ``number_of_folded_quads``, if vertices were smoothed;
         ``other_polygons``, lists of points of the faces that are no quads; and ``number_of_cut_cells``,
         pieces of cells at the border, which are left out
 

@@ -79,6 +79,8 @@ py::tuple extract_quads(const Doubles& points, const Integers& triangles, const 
   report["integers"] = with_rows(made.integers, renamed(extraction->surface->rows()));
   report["nonpositive_faces"] = made.report.nonpositive_faces;
   report["number_of_inverted_quads"] = made.report.number_of_inverted_quads;
+  report["number_of_folded_quads"] =
+    made.smoothed ? py::cast(made.smoothed->number_of_folded_quads) : py::none();
   report["number_of_cut_cells"] = made.report.number_of_cut_cells;
   report["largest_rounding"] = made.snapped.largest_rounding;
   report["smoothed"] = made.smoothed.has_value();

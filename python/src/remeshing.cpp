@@ -171,6 +171,18 @@ py::list list_of(const std::vector<QR::Released_feature>& features)
   return result;
 }
 
+py::list list_of(const std::vector<QR::Part_of_other_size>& parts)
+{
+  using namespace py::literals;
+  py::list result;
+  for(const auto& p : parts)
+    result.append(py::dict("triangle"_a = p.face, "number_of_quads"_a = p.number_of_quads,
+                           "number_wanted"_a = p.number_wanted,
+                           "number_needed"_a = p.number_needed,
+                           "has_too_many_quads"_a = p.has_too_many_quads));
+  return result;
+}
+
 py::dict dict_of(const QR::Remeshing_report& report, const Array_surface& surface)
 {
   py::dict result = ::dict_of(report, &surface);
@@ -179,11 +191,14 @@ py::dict dict_of(const QR::Remeshing_report& report, const Array_surface& surfac
   result["number_of_irregular_vertices"] = report.number_of_irregular_vertices;
   result["number_of_forced_quads"] = report.number_of_forced_quads;
   result["has_too_many_quads"] = report.has_too_many_quads;
+  result["parts_of_other_size"] = list_of(report.parts_of_other_size);
   result["number_of_parts_left_out"] = report.number_of_parts_left_out;
   result["area_of_parts_left_out"] = report.area_of_parts_left_out;
   result["released_features"] = list_of(report.released_features);
   result["number_of_inverted_quads"] = report.number_of_inverted_quads;
   result["first_inverted_quads"] = report.first_inverted_quads;
+  result["number_of_folded_quads"] = report.number_of_folded_quads;
+  result["first_folded_quads"] = report.first_folded_quads;
   result["number_of_displaced_vertices"] = report.number_of_displaced_vertices;
   result["largest_displacement"] = report.largest_displacement;
   result["largest_distance"] = report.largest_distance;

@@ -129,12 +129,20 @@ def test_too_many_quads_are_told(monkeypatch):
     V, F = refined_box(2)
     make = seamless._core.quad_remesh
     monkeypatch.setattr(seamless._core, "quad_remesh", lambda *arguments: tuple(
-        {**x, "has_too_many_quads": True, "number_of_inverted_quads": 7} if isinstance(x, dict) else x
-        for x in make(*arguments)))
+        {**x, "has_too_many_quads": True, "number_of_inverted_quads": 7, "number_of_folded_quads": 3}
+        if isinstance(x, dict) else x for x in make(*arguments)))
     with pytest.warns(UserWarning) as told:
         seamless.quad_remesh(V, F, quads=100)
     words = " ".join(str(warning.message) for warning in told)
     assert "quads are more than twice as many as wanted" in words and "7 quads are inverted" in words
+    assert "3 quads are folded" in words
+    part = {"triangle": 5, "number_of_quads": 9, "number_wanted": 0.5, "number_needed": 4,
+            "has_too_many_quads": True}
+    monkeypatch.setattr(seamless._core, "quad_remesh", lambda *arguments: tuple(
+        {**x, "has_too_many_quads": True, "parts_of_other_size": [part]}
+        if isinstance(x, dict) else x for x in make(*arguments)))
+    with pytest.warns(UserWarning, match="the part with triangle 5 has 9 quads, more than twice"):
+        seamless.quad_remesh(V, F, quads=100)
 
 
 def test_symmetry():

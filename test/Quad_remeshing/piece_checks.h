@@ -6,6 +6,7 @@
 #include "quad_reference.h"
 #include "test_surfaces.h"
 
+#include <CGAL/Quad_remeshing/internal/quantization/quads_needed.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/has_too_many_quads.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Quad_remeshing/quantize.h>
@@ -65,6 +66,7 @@ inline void test_units()
       for(const QR::Part_of_other_size& part : found.parts_of_other_size) {
         CHECK(part.face == faces_of_box && part.number_of_quads == 1);
         CHECK(std::abs(part.number_wanted / std::ldexp(96., 2 * exponent) - 1) < 1e-3);
+        CHECK(part.number_needed == 1 && !part.has_too_many_quads);
       }
     }
   }
@@ -126,7 +128,8 @@ inline void test_open_pieces()
       CHECK(found[3] > 185 && found[3] < 205);
       CHECK_EQUAL(report.parts_of_other_size.size(), std::size_t(2));
       for(const QR::Part_of_other_size& part : report.parts_of_other_size)
-        CHECK(part.face >= mesh.number_of_faces() - 4 && part.number_wanted < 1e-3);
+        CHECK(part.face >= mesh.number_of_faces() - 4 && part.number_wanted < 1e-3 &&
+              part.number_needed == 1 && !part.has_too_many_quads);
     }
 }
 
@@ -188,6 +191,13 @@ inline void test_too_many_quads()
     complex.append(surfaces::box(i, 1, 1));
     check(complex, 2 * 6);
   }
+  for(const double wanted : {0.1, 6., 7.})
+    for(const std::size_t needed : {5, 6})
+      for(const std::size_t n : {12, 13, 14}) {
+        const QR::Part_of_other_size part{0, n, wanted, needed, false};
+        CHECK_EQUAL(QR::internal::has_too_many_quads(part),
+                    n > 2 * (std::max)(std::size_t(wanted), needed));
+      }
 }
 
 // A vertex far away is refused and named, unless the whole piece is there.

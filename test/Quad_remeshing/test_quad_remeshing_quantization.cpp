@@ -16,6 +16,7 @@
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Face_graph_search.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Integer_mesh.h>
+#include <CGAL/Quad_remeshing/internal/quantization/quads_needed.h>
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/collapse_quads.h>
@@ -112,6 +113,33 @@ void test_defects(const internal::Integer_mesh& input)
   std::vector<int> other_angles = angles;
   other_angles[2] += 4;
   CHECK_EQUAL(defect(complex, other_angles, vectors), std::string("a vertex with another angle"));
+}
+
+// A complex of squares is a mesh of quads with the cones and corners of its map.
+void test_quads_needed()
+{
+  const auto check = [](const surfaces::Square_complex& complex, const std::size_t cones,
+                        const std::size_t corners, const std::size_t handles,
+                        const std::size_t by_cones, const std::string& words) {
+    const Grid_map map(complex, 2, 2);
+    Mesh mesh(map.mesh);
+    const auto is_feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:none", false).first;
+    const internal::Quads_needed needed =
+      internal::quads_needed(internal::make_complex(read_integers(map.mesh, map.uv, is_feature)));
+    CHECK_EQUAL(needed.cones, cones);
+    CHECK_EQUAL(needed.border_corners, corners);
+    CHECK_EQUAL(needed.handles, handles);
+    CHECK_EQUAL(needed.by_cones, by_cones);
+    CHECK(by_cones <= std::size_t(complex.number_of_squares()));
+    CHECK_EQUAL(needed.in_words(2 * double(needed.by_topology()) - 0.1), words);
+    CHECK_EQUAL(needed.in_words(2 * double(needed.by_topology())), std::string());
+  };
+  check(surfaces::box(1, 1, 1), 8, 0, 0, 6, "; 8 cones take at least 6 quads");
+  check(surfaces::box(2, 1, 3), 8, 0, 0, 6, "; 8 cones take at least 6 quads");
+  check(surfaces::tetrahedron(), 4, 0, 0, 2, "; 4 cones take at least 2 quads");
+  check(surfaces::disc(3, 2), 0, 4, 0, 1, "; 4 corners of the border take at least 1 quad");
+  check(surfaces::torus(4, 3), 0, 0, 1, 1, "; 1 handle takes about 9 quads");
+  check(surfaces::cylinder(5, 2), 0, 0, 0, 1, "");
 }
 
 // Each edge, followed on the input from its source on, leads to its target, and there alone.
@@ -3429,6 +3457,7 @@ int main()
     test_double_sheets();
     pieces::test_all();
   }
+  test_quads_needed();
   test_refinement();
   test_sizes_in_space();
   test_unfolding();

@@ -186,18 +186,19 @@ borders become chains of edges of quads.
 \par Guarantee
 If the function succeeds, the result is a valid face graph of quads. It is homeomorphic to the
 input, except that small closed components are left out (`area_threshold`), and that
-`symmetry_plane` replaces one half. The report counts inverted quads, released feature edges, and
-displaced vertices. If features or cones are close together, there may be no valid mesh with so few
-quads. The function then returns the smallest larger mesh that it finds, and the message says so. If
-faces stay flipped in each parametrization, the function fails, and `quads` is as before.
+`symmetry_plane` replaces one half. The report counts inverted and folded quads, released feature
+edges, and displaced vertices. If features or cones are close together, there may be no valid mesh
+with so few quads. The function then returns the smallest larger mesh that it finds, and the message
+says so. If faces stay flipped in each parametrization, the function fails, and `quads` is as
+before.
 
 \par Search
 If the first result has flaws, the function tries further settings, which \ref QRemeshingSearch
-lists, and returns the best result. The result with fewer inverted quads is better. If these are
-equally many, the function compares the mean scaled Jacobian, less penalties for released features
-and for edges whose length is not the wanted one. Among meshes of few quads, the distance from the
-surface and the number of quads count, too. Vertices leave features, and then the surface, only if
-quads stay inverted otherwise.
+lists, and returns the best result. The result with fewer inverted and folded quads is better. If
+these are equally many, the function compares the mean scaled Jacobian, less penalties for released
+features and for edges whose length is not the wanted one. Among meshes of few quads, the distance
+from the surface and the number of quads count, too. Vertices leave features, and then the surface,
+only if quads stay bad otherwise.
 
 \par Bound
 All searches together have one bound on their work, which grows with the sizes of input and result.

@@ -79,15 +79,15 @@ public:
       change_points([&](const double x) { return m_run.surface.unscaled(x); });
   }
 
-  // Releases the features within a number of edges around the corners of inverted quads, or, if
-  // there are none, of thin quads. Returns whether there are any; from here on, the report counts
-  // them.
+  // Releases the features within a number of edges around the corners of inverted and folded quads,
+  // or, if there are none, of thin quads. Returns whether there are any; from here on, the report
+  // counts them.
   bool release_features_at_bad_quads(const double edges)
   {
     const double radius = edges * std::sqrt(m_run.area() / double(m_run.report.number_of_quads));
     const std::size_t before = m_run.report.number_of_released_edges;
-    const bool is_inverted = m_run.report.number_of_inverted_quads > 0;
-    const std::vector<Point>& places = is_inverted ? m_inverted_places : m_thin_places;
+    const bool has_bad = number_of_bad_quads(m_run.report) > 0;
+    const std::vector<Point>& places = has_bad ? m_bad_places : m_thin_places;
     for(const auto e : m_run.mesh().edges()) {
       const auto h = m_run.mesh().halfedge(e);
       const Kernel::Segment_3 s(m_run.mesh().point(m_run.mesh().source(h)),
@@ -100,7 +100,7 @@ public:
     const std::size_t number = m_run.report.number_of_released_edges - before;
     if(number > 0)
       Progress::tell([&] {
-        return counted(places.size() / 4, is_inverted ? "inverted quad" : "thin quad") +
+        return counted(places.size() / 4, has_bad ? "folded or inverted quad" : "thin quad") +
                "; again without " + counted(number, "feature edge") + " near by";
       });
     return number > 0;
@@ -202,7 +202,7 @@ private:
   }
 
   // Takes the quantization whose quads are best before they are mended: all are shaped roughly, and
-  // the best two as usual. The second one is taken if the first has more inverted quads in the end.
+  // the best two as usual. The second one is taken if the first has more bad quads in the end.
   bool make_best_quads()
   {
     add_larger_numbers();
@@ -217,9 +217,9 @@ private:
                                   { shape_and_improve(lines, smoother); });
     if(!make_quads_of_choice(0))
       return false;
-    if(const std::size_t inverted = m_run.report.number_of_inverted_quads;
-       inverted > 0 && m_choices.size() > 1 && m_run.work.is_left() &&
-       (!make_quads_of_choice(1) || m_run.report.number_of_inverted_quads >= inverted))
+    if(const std::size_t bad = number_of_bad_quads(m_run.report);
+       bad > 0 && m_choices.size() > 1 && m_run.work.is_left() &&
+       (!make_quads_of_choice(1) || number_of_bad_quads(m_run.report) >= bad))
       make_quads_of_choice(0);
     const std::size_t number = m_run.quantization.number_of_quads;
     if(fewest < number && double(number) > 1.1 * m_run.options.quantization.number_of_quads)
@@ -237,7 +237,7 @@ private:
   {
     m_run.set_state(m_choices[i]);
     m_quads.clear_without_removing_property_maps();
-    m_inverted_places.clear();
+    m_bad_places.clear();
     m_thin_places.clear();
     return make_quads();
   }
@@ -383,12 +383,15 @@ private:
     std::size_t i = 0;
     for(const auto f : m_quads.faces()) {
       const auto quad = smoother.quad(f);
-      const bool is_bad = is_folded[i % is_folded.size()] || is_inverted(quad);
-      if(is_bad)
+      const bool has_inverted_corner = is_inverted(quad);
+      const bool is_bad = has_inverted_corner || is_folded[i % is_folded.size()];
+      if(has_inverted_corner)
         count_inverted_quad(i, m_run.report);
+      else if(is_bad)
+        count_quad(i, m_run.report.number_of_folded_quads, m_run.report.first_folded_quads);
       if(is_bad || is_thin(scaled_jacobian(quad)))
         for(const Space_vector& p : quad)
-          (is_bad ? m_inverted_places : m_thin_places).push_back(to_point(p));
+          (is_bad ? m_bad_places : m_thin_places).push_back(to_point(p));
       ++i;
     }
     static_cast<Quad_shapes&>(m_run.report) = smoother.shapes();
@@ -508,7 +511,7 @@ private:
   Feature_map m_is_feature;
   double m_least_number = 1; // of quads, that is wanted and can be made
   double m_jacobian_of_fewest = 1; // of the choices, in a rough shape
-  std::vector<Point> m_inverted_places; // the corners of quads that are inverted or upside down
+  std::vector<Point> m_bad_places; // the corners of quads that are inverted or folded
   std::vector<Point> m_thin_places; // of others
 };
 
@@ -574,7 +577,7 @@ private:
       m_length_of_features > 0 ? r.length_of_released_edges / m_length_of_features : 0;
     const double deviation = std::clamp(r.median_size_deviation.value_or(0), good_deviation,
                                         forced_deviation);
-    return {!r, r.number_of_inverted_quads, (released + deviation) / 2 - r.mean_scaled_jacobian +
+    return {!r, number_of_bad_quads(r), (released + deviation) / 2 - r.mean_scaled_jacobian +
                                               double(r.number_of_quads) / m_unit};
   }
 
@@ -614,7 +617,7 @@ inline Remeshing_report remesh_surface(Surface_to_remesh& surface,
                               attempts_for_shape == 0;
     const bool has_other_sizes = r.median_size_deviation.value_or(0) > good_deviation &&
                                  attempts_for_shape < 2 && !is_forced;
-    return r && (r.number_of_inverted_quads > 0 || is_distorted || has_other_sizes);
+    return r && (number_of_bad_quads(r) > 0 || is_distorted || has_other_sizes);
   };
   const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept) {
     Quad_remesher remesher(surface, options, mesh, is_kept);
@@ -635,7 +638,7 @@ inline Remeshing_report remesh_surface(Surface_to_remesh& surface,
     is_spent = work.left() < of_attempt / 4;
     if(is_spent)
       break;
-    attempts_for_shape += best.number_of_inverted_quads == 0;
+    attempts_for_shape += number_of_bad_quads(best) == 0;
     make_others(attempt, is_better, quads, is_feature, best);
   }
   best.number_of_corners_left_out = surface.number_of_corners_left_out();
@@ -669,10 +672,10 @@ class Quad_search
     return {{
       {"room in all triangles", &S::has_flaws, Room::IN_ALL_TRIANGLES, true, {}, &S::is_any},
       {"the border as it is", &S::has_flaws_at_border, room, false, {}, &S::has_hardly_more_quads},
-      {"the best of several maps", &S::is_coarse_inverted, room, true, 0., &S::has_fewer_inverted},
-      {"a quarter more quads", &S::has_few_inverted, room, true, 1.25, &S::has_fewer_inverted},
-      {"a half more quads", &S::has_few_inverted, room, true, 1.5, &S::has_fewer_inverted},
-      {"twice as many quads", &S::has_few_inverted, room, true, 2., &S::has_fewer_inverted},
+      {"the best of several maps", &S::is_coarse_and_bad, room, true, 0., &S::has_fewer_bad},
+      {"a quarter more quads", &S::has_few_and_bad, room, true, 1.25, &S::has_fewer_bad},
+      {"a half more quads", &S::has_few_and_bad, room, true, 1.5, &S::has_fewer_bad},
+      {"twice as many quads", &S::has_few_and_bad, room, true, 2., &S::has_fewer_bad},
       {"the input as it is", &S::has_no_quads, Room::NONE, false, {}, &S::is_any}
     }};
   }
@@ -708,7 +711,7 @@ private:
     constexpr double good_shape = 0.95; // a mean scaled Jacobian
     return work().is_mostly_left() &&
            (!m_best || m_best.number_of_released_edges > 0 ||
-            m_best.number_of_inverted_quads > 0 || m_best.number_of_displaced_vertices > 0 ||
+            number_of_bad_quads(m_best) > 0 || m_best.number_of_displaced_vertices > 0 ||
             m_best.mean_scaled_jacobian < good_shape);
   }
 
@@ -716,21 +719,21 @@ private:
   {
     constexpr double fair_shape = 0.9; // a mean scaled Jacobian
     return work().is_mostly_left() && m_best && m_best.number_of_corners_left_out > 0 &&
-           (m_best.number_of_inverted_quads > 0 || m_best.number_of_displaced_vertices > 0 ||
+           (number_of_bad_quads(m_best) > 0 || m_best.number_of_displaced_vertices > 0 ||
             m_best.mean_scaled_jacobian < fair_shape);
   }
 
   // More quads may have room around cones and between features.
-  bool has_few_inverted() const
+  bool has_few_and_bad() const
   {
     constexpr std::size_t few = 2000; // quads in all
-    return work().is_left() && m_best && m_best.number_of_inverted_quads > 0 &&
+    return work().is_left() && m_best && number_of_bad_quads(m_best) > 0 &&
            m_best.number_of_quads <= few;
   }
 
   // For few quads, the map is chosen by their shape; for as few as can be, by their number.
-  bool is_coarse_inverted() const
-  { return m_options.quantization.is_coarsest && has_few_inverted(); }
+  bool is_coarse_and_bad() const
+  { return m_options.quantization.is_coarsest && has_few_and_bad(); }
 
   bool has_no_quads() const { return work().is_left() && !m_best && m_is_changed; }
 
@@ -739,8 +742,8 @@ private:
   bool has_hardly_more_quads(const Remeshing_report& r) const
   { return double(r.number_of_quads) <= 1.2 * double(m_best.number_of_quads); }
 
-  bool has_fewer_inverted(const Remeshing_report& r) const
-  { return r && r.number_of_inverted_quads < m_best.number_of_inverted_quads; }
+  bool has_fewer_bad(const Remeshing_report& r) const
+  { return r && number_of_bad_quads(r) < number_of_bad_quads(m_best); }
 
   // Quads that were made before stay if they are better, or if those that are made now are more
   // where there are to be as few as can be.
@@ -773,7 +776,8 @@ private:
     if(is_taken && move.number) {
       m_best.message = m_fewest->message; // which tells why there are so many
       add_note(m_best, std::to_string(m_fewest->number_of_quads) + " quads were found, too, " +
-                       std::to_string(m_fewest->number_of_inverted_quads) + " of them inverted");
+                       std::to_string(number_of_bad_quads(*m_fewest)) +
+                       " of them inverted or folded");
     }
   }
 
@@ -810,9 +814,13 @@ Remeshing_report remesh(Marked_surface& input, const std::optional<Mirror>& mirr
   Remeshing_report report = Quad_search(input, mirror, options, quads, is_feature).run();
   report.number_of_parts_left_out = small_parts.number();
   report.area_of_parts_left_out = small_parts.area();
+  const auto& parts = report.parts_of_other_size;
   report.has_too_many_quads =
     report && !options.quantization.is_coarsest &&
-    has_too_many_quads(quads, options.quantization.number_of_quads, report.number_of_forced_quads);
+    (has_too_many_quads(quads, options.quantization.number_of_quads,
+                        report.number_of_forced_quads) ||
+     std::any_of(parts.begin(), parts.end(),
+                 [](const Part_of_other_size& part) { return part.has_too_many_quads; }));
   return report;
 }
 

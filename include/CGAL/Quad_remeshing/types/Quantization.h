@@ -43,6 +43,10 @@ struct Part_of_other_size
   std::size_t face = 0;            ///< its first face, in the order of iteration over all faces
   std::size_t number_of_quads = 0; ///< the quads that it has
   double number_wanted = 0;        ///< the quads that it would have in the wanted size
+  /// about the quads that its cones, the corners of its border, its handles, or its features take
+  std::size_t number_needed = 0;
+  /// whether there are more than twice as many quads as wanted, and as needed
+  bool has_too_many_quads = false;
 };
 
 /*!

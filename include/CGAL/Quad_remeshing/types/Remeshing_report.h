@@ -62,7 +62,8 @@ struct Remeshing_report
   /// are clearly more quads than wanted
   std::size_t number_of_forced_quads = 0;
   /// whether there are more than twice as many quads as wanted, although neither features nor the
-  /// topology of the surface force them; never with `minimize_number_of_quads`
+  /// topology of the surface force them; or whether that is true of one of `parts_of_other_size`.
+  /// Never with `minimize_number_of_quads`.
   bool has_too_many_quads = false;
   /// connected parts whose quads are more than three times as long, or as short, as wanted; faces
   /// are those of the input
@@ -72,14 +73,19 @@ struct Remeshing_report
   double area_of_parts_left_out = 0; ///< the sum of their areas
   /// with `maximum_feature_loss`, features that are not kept because they force quads
   std::vector<Released_feature> released_features;
-  /// quads that are inverted in space or lie upside down on the surface. A quad is inverted if, at
-  /// a corner, its sides turn against the quad as a whole, or if its area or a side is zero; this
-  /// is decided exactly, for the points as doubles. A quad lies upside down if it faces against a
-  /// flat part of the surface below it; this is decided in floating point.
+  /// quads that are inverted in space: at a corner, the sides turn against the quad as a whole, or
+  /// the area or a side is zero. This is decided exactly, for the points as doubles.
   std::size_t number_of_inverted_quads = 0;
   /// the first of these quads, at most ten, counted from 0 in the order in which the faces were
   /// written
   std::vector<std::size_t> first_inverted_quads;
+  /// other quads that are folded: they face against the surface below them. Such quads cover a part
+  /// of the surface more than once, whatever their own shape is. A sharp edge or a thin wall of the
+  /// input is no fold, because walks over the input find the surface below a quad. This is decided
+  /// in floating point.
+  std::size_t number_of_folded_quads = 0;
+  /// the first of these quads, counted like `first_inverted_quads`
+  std::vector<std::size_t> first_folded_quads;
   /// vertices that were moved off the surface, a feature, or the border, because quads would be
   /// inverted otherwise
   std::size_t number_of_displaced_vertices = 0;

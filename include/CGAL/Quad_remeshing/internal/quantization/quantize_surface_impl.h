@@ -25,6 +25,7 @@
 #include <CGAL/Quad_remeshing/internal/quantization/Part_quantizer.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Wall_slider.h>
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
+#include <CGAL/Quad_remeshing/internal/quantization/quads_needed.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
 #include <CGAL/Quad_remeshing/internal/quantization/release_features.h>
@@ -35,7 +36,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <set>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -159,7 +160,8 @@ public:
       Quantized_complex found = quantizer.find_quads();
       if(!defect(found.complex, angles, &Intrinsic_corner::units).empty())
         return refuse(m_result, Outcome::INTERNAL_ERROR, "the integers are not feasible");
-      m_first_number += quantizer.first_number_of_quads();
+      m_first_numbers.push_back(quantizer.first_number_of_quads());
+      m_needed.push_back(quads_needed(parts[i]));
       number += count(i, found);
       has_reached_maximum = has_reached_maximum || found.has_reached_maximum;
       parts[i] = std::move(found.complex);
@@ -182,14 +184,14 @@ public:
     return true;
   }
 
-  // The number of the first quantization that is tried, a face graph or not.
-  double first_number_of_quads()
+  // The numbers of the first quantization that is tried in each part, a face graph or not.
+  std::vector<double> first_numbers_of_quads()
   {
     const std::vector<Intrinsic_complex> parts = split_into_parts(m_coarse->complex);
-    double result = 0;
+    std::vector<double> result;
     for(std::size_t i = 0; i < parts.size(); ++i)
-      result +=
-        Part_quantizer(m_coarse->input, parts[i], options_of_part(i)).first_number_of_quads();
+      result.push_back(
+        Part_quantizer(m_coarse->input, parts[i], options_of_part(i)).first_number_of_quads());
     return result;
   }
 
@@ -245,17 +247,26 @@ private:
       const auto& parts = m_coarse->input.part;
       const auto first = std::find(parts.begin(), parts.end(), std::int32_t(part));
       m_result.parts_of_other_size.push_back(
-        {std::size_t(first - parts.begin()), number, m_wanted[part]});
+        {std::size_t(first - parts.begin()), number, m_wanted[part],
+         m_needed[part].by_topology(), false});
     }
     return number;
   }
 
   void add_notes()
   {
-    if(!m_options.is_coarsest && has_more_than_wanted()) {
-      m_result.number_of_forced_quads = number_of_forced_quads();
-      add_note(m_result, words_for_number() + words_for_remedy());
+    auto& parts = m_result.parts_of_other_size;
+    const bool has_more = !m_options.is_coarsest && has_more_than_wanted();
+    if(has_more || std::any_of(parts.begin(), parts.end(), [](const Part_of_other_size& part)
+                               { return has_too_many_quads(part); })) {
+      const std::size_t forced = number_of_forced_quads();
+      if(has_more) {
+        m_result.number_of_forced_quads = forced;
+        add_note(m_result, words_for_number() + words_for_remedy());
+      }
     }
+    for(Part_of_other_size& part : parts)
+      part.has_too_many_quads = has_too_many_quads(part);
     if(const std::size_t n = m_result.number_of_unaligned_border_edges; n > 0)
       add_note(m_result, counted(n, "border edge") + (n == 1 ? " lies" : " lie") +
                " on no isocurve, and two sides of quads follow " + (n == 1 ? "it" : "each"));
@@ -270,7 +281,8 @@ private:
   { return double(m_result.number_of_quads) > m_options.maximum_number; }
 
   // So many fewer are in the first quantization that is tried where features are no walls. Numbers
-  // that make a face graph would not compare: where one is found is more chance.
+  // that make a face graph would not compare: where one is found is more chance. Parts of another
+  // size learn how many they need for their features.
   std::size_t number_of_forced_quads()
   {
     const std::vector<Feature_chain> features = feature_chains(m_coarse->input);
@@ -278,47 +290,28 @@ private:
       return 0;
     const auto without =
       std::make_shared<const Coarse_surface>(without_features(*m_coarse, features));
-    const double more = m_first_number -
-                        Unit_finder(without, m_options, m_result).first_number_of_quads();
-    return std::size_t(std::llround((std::max)(0., more)));
+    std::vector<double> more = Unit_finder(without, m_options, m_result).first_numbers_of_quads();
+    std::transform(m_first_numbers.begin(), m_first_numbers.end(), more.begin(), more.begin(),
+                   std::minus<>());
+    for(Part_of_other_size& part : m_result.parts_of_other_size) {
+      const double forced = more[std::size_t(m_coarse->input.part[part.face])];
+      part.number_needed =
+        (std::max)(part.number_needed, std::size_t(std::llround((std::max)(0., forced))));
+    }
+    const double sum = std::accumulate(more.begin(), more.end(), 0.);
+    return std::size_t(std::llround((std::max)(0., sum)));
   }
 
   std::string words_for_number() const
   {
     const std::size_t forced = m_result.number_of_forced_quads;
+    Quads_needed needed;
+    for(const Quads_needed& of_part : m_needed)
+      needed += of_part;
     return "no " + std::string(m_options.needs_face_graph ? "mesh" : "arrangement") +
            " of fewer quads, down to the number wanted, was found" +
            (forced > 0 ? "; features force about " + std::to_string(forced) + " of the quads"
-                       : "") + words_for_closed_parts();
-  }
-
-  // Six quads are the fewest of a closed mesh, and handles take more.
-  std::string words_for_closed_parts() const
-  {
-    constexpr double of_handle = 9; // about
-    const Integer_mesh& input = m_coarse->input;
-    const auto part = [&](const Corner_index h) { return input.part[std::size_t(h / 3)]; };
-    std::set<std::int32_t> closed(input.part.begin(), input.part.end());
-    for(Corner_index h = 0; h < input.number_of_halfedges(); ++h)
-      if(input.is_border_edge(h))
-        closed.erase(part(h));
-    std::set<std::size_t> vertices;
-    std::size_t number_of_halfedges = 0;
-    for(Corner_index h = 0; h < input.number_of_halfedges(); ++h)
-      if(closed.count(part(h)) > 0) {
-        vertices.insert(input.vertex(h));
-        ++number_of_halfedges;
-      }
-    // by the Euler characteristic
-    const std::size_t handles = (2 * closed.size() + number_of_halfedges / 6 - vertices.size()) / 2;
-    const double fewest = 6 * double(closed.size());
-    if(!m_options.needs_face_graph ||
-       (fewest <= m_options.number_of_quads &&
-        (handles == 0 || 2 * (fewest + of_handle * double(handles)) <= m_options.number_of_quads)))
-      return "";
-    return "; " + counted(closed.size(), "closed part") +
-           (closed.size() == 1 ? " takes at least 6 quads" : " take at least 6 quads each") +
-           (handles > 0 ? ", and more for " + counted(handles, "handle") : "");
+                       : "") + needed.in_words(m_options.number_of_quads);
   }
 
   // Where more than half of the quads are forced.
@@ -334,7 +327,9 @@ private:
   Quantization& m_result;
   std::vector<double> m_area;   // per part: in steps of its grid
   std::vector<double> m_wanted; // per part: quads
-  double m_first_number = 0; // of quads, of the first quantization that was tried
+  // per part that is quantized
+  std::vector<double> m_first_numbers; // of quads, of the first quantization that was tried
+  std::vector<Quads_needed> m_needed;
 };
 
 // Where features force quads, releases those that force most for their length. Each round may lose
@@ -359,7 +354,8 @@ public:
     double first = 0, least = 0;
     for(int round = 0; round <= most_rounds; ++round) {
       Unit_finder finder(surface, m_options, m_result);
-      const double number = finder.first_number_of_quads();
+      const std::vector<double> numbers = finder.first_numbers_of_quads();
+      const double number = std::accumulate(numbers.begin(), numbers.end(), 0.);
       if(round == 0 || number < least) {
         best = surface;
         kept_released = released;
