@@ -275,8 +275,7 @@ Hexahedra_report extract_hexahedra(const PointRange& points, const TetrahedronRa
   constexpr auto read =
     internal::named<CGAL::internal_np::cell_neighbors, CGAL::internal_np::feature_edges,
                     CGAL::internal_np::feature_facets, CGAL::internal_np::maximum_number,
-                    CGAL::internal_np::verbose, CGAL::internal_np::vertex_location,
-                    CGAL::internal_np::visitor>;
+                    CGAL::internal_np::vertex_location>;
   const auto& plain = internal::strip(np, read);
   const auto location_map = get_parameter(plain, CGAL::internal_np::vertex_location);
   constexpr bool keeps_locations = internal::is_given<decltype(location_map)>;

@@ -16,10 +16,12 @@
 // error: the function does not read this named parameter
 // error: the function does not read this named parameter
 // error: the function does not read this named parameter
+// error: the function does not read this named parameter
 // error: this named parameter takes a property map, not a container
 // error: convert coefficients and right-hand sides to CGAL::Exact_rational
 // error: the constraints must be Linear_constraints or a sparse matrix of Eigen
 
+#include <CGAL/Hexahedral_meshing/extract_hexahedra.h>
 #include <CGAL/Isocurves_and_layouts/Motorcycle_graph.h>
 #include <CGAL/Isocurves_and_layouts/copy_to_face_graph.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
@@ -70,6 +72,9 @@ void call_all(Mesh& mesh, const Uv_map uv, const QR::Quantization& quantization,
   std::vector<Kernel::Point_3> uvw;
   QR::snap_soup_to_seamless(triangles, CGAL::make_property_map(corners), number);
   QR::is_volume_seamless(tetrahedra, CGAL::make_property_map(uvw), number);
+  std::vector<std::vector<std::size_t> > hexahedra;
+  CGAL::Hexahedral_meshing::extract_hexahedra(uvw, tetrahedra, CGAL::make_property_map(uvw), uvw,
+                                              hexahedra, parameters::verbose(true));
   QR::IO::write_OBJ("", mesh, uv, number);
   std::vector<QR::Isocurve_point<Mesh> > points;
   QR::trace_isocurve(mesh, uv, start, QR::Isocurve_direction::PLUS_U, std::back_inserter(points),
