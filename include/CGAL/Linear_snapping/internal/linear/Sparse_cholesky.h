@@ -37,6 +37,7 @@
 extern "C" { // null in programs without it
 __attribute__((weak)) int openblas_get_num_threads();
 __attribute__((weak)) void openblas_set_num_threads(int);
+__attribute__((weak)) int openblas_get_parallel();
 __attribute__((weak)) int omp_get_max_active_levels();
 __attribute__((weak)) void omp_set_max_active_levels(int);
 }
@@ -74,6 +75,9 @@ public:
 //
 // The number of threads of OpenBLAS is one for the whole process: the first guard keeps it, and the
 // last one sets it again, whatever threads they are in. OpenMP has its levels for each thread.
+//
+// An OpenBLAS without threads shares its memory between callers without a lock: factorizations of
+// two threads at a time would fail, or have wrong numbers. Guards then wait for each other.
 class One_blas_thread
 {
 public:
@@ -84,6 +88,8 @@ public:
       m_levels = omp_get_max_active_levels();
       omp_set_max_active_levels(0);
     }
+    if(is_sequential())
+      m_turn = std::unique_lock<std::recursive_mutex>(state().turn);
     const std::lock_guard<std::mutex> lock(state().mutex);
     if(has_threads() && state().guards++ == 0) {
       state().threads = openblas_get_num_threads();
@@ -107,6 +113,7 @@ private:
   struct State
   {
     std::mutex mutex;
+    std::recursive_mutex turn;
     int guards = 0, threads = 1;
   };
 
@@ -119,10 +126,14 @@ private:
   static bool has_threads()
   { return openblas_get_num_threads != nullptr && openblas_set_num_threads != nullptr; }
 
+  static bool is_sequential()
+  { return openblas_get_parallel != nullptr && openblas_get_parallel() == 0; }
+
   static bool has_levels()
   { return omp_get_max_active_levels != nullptr && omp_set_max_active_levels != nullptr; }
 
   int m_levels = 1;
+  std::unique_lock<std::recursive_mutex> m_turn;
 #else
   One_blas_thread() { } // not trivial, so that guards are no unused variables
 #endif
@@ -151,6 +162,7 @@ public:
     constexpr int large = 110000;
     this->cholmod().nmethods = matrix.cols() > large && matrix.cols() <= very_large_system ? 1 : 0;
     this->cholmod().method[0].ordering = CHOLMOD_AMD;
+    const std::lock_guard<std::mutex> turn(turn_of_metis());
     Base::analyzePattern(matrix);
   }
 
@@ -171,6 +183,7 @@ public:
     std::iota(key.begin(), key.end(), 0);
     sort_columns(key);
 
+    const std::lock_guard<std::mutex> turn(turn_of_metis());
     this->cholmod().nmethods = 2;
     this->cholmod().method[0].ordering = CHOLMOD_METIS;
     this->cholmod().method[1].ordering = CHOLMOD_AMD;
@@ -204,6 +217,14 @@ public:
   }
 
 private:
+  // METIS keeps its random numbers in one place for all threads: in several at a time, the order
+  // would depend on chance.
+  static std::mutex& turn_of_metis()
+  {
+    static std::mutex result;
+    return result;
+  }
+
   // Which blocks have entries between them: the lower triangle, as that of the matrix.
   // \param columns sorted by their blocks
   static Matrix matrix_of_blocks(const Matrix& matrix, const std::vector<int>& blocks,
