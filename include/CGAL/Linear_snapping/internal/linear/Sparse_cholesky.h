@@ -139,6 +139,14 @@ private:
 #endif
 };
 
+// METIS keeps its random numbers in one place for all threads: in several at a time, the order
+// would depend on chance. This is one mutex for matrices of all types.
+inline std::mutex& turn_of_metis()
+{
+  static std::mutex result;
+  return result;
+}
+
 // CHOLMOD would print each failure to the standard output, which belongs to the caller.
 template <typename Matrix>
 class Sparse_cholesky : public Eigen::CholmodDecomposition<Matrix>
@@ -217,14 +225,6 @@ public:
   }
 
 private:
-  // METIS keeps its random numbers in one place for all threads: in several at a time, the order
-  // would depend on chance.
-  static std::mutex& turn_of_metis()
-  {
-    static std::mutex result;
-    return result;
-  }
-
   // Which blocks have entries between them: the lower triangle, as that of the matrix.
   // \param columns sorted by their blocks
   static Matrix matrix_of_blocks(const Matrix& matrix, const std::vector<int>& blocks,
