@@ -43,6 +43,15 @@ void write_bad_quads(std::ostream& os, const std::size_t number,
   os << " of " << filename << "\n";
 }
 
+// Throws `Failure` if there are such quads.
+// \param how they are, with a remedy
+void check_bad_quads(const std::size_t number, const std::string& filename, const std::string& how)
+{
+  if(number > 0)
+    throw Failure(STILL_FLIPPED, filename + ": written, but " + counted(number, "quad") +
+                                   (number == 1 ? " stays " : " stay ") + how);
+}
+
 } // namespace
 
 void write_inverted_quads(std::ostream& os, const std::size_t number,
@@ -63,16 +72,12 @@ void write_folded_quads(std::ostream& os, const std::size_t number,
 void check_inverted_quads(const std::size_t number, const std::string& filename,
                           const std::string& remedy)
 {
-  if(number > 0)
-    throw Failure(STILL_FLIPPED, filename + ": written, but " + counted(number, "quad") +
-                                   (number == 1 ? " stays" : " stay") + " inverted" + remedy);
+  check_bad_quads(number, filename, "inverted" + remedy);
 }
 
 void check_folded_quads(const std::size_t number, const std::string& filename)
 {
-  if(number > 0)
-    throw Failure(STILL_FLIPPED, filename + ": written, but " + counted(number, "quad") +
-                                   (number == 1 ? " stays" : " stay") + " folded");
+  check_bad_quads(number, filename, "folded");
 }
 
 void write_displacement(std::ostream& os, const std::size_t number, const double largest)
