@@ -252,11 +252,11 @@ std::string notes_on_reading(const Model& model)
 {
   std::string result;
   if(has_coordinates_at_vertices(model))
-    result += "note: coordinates at vertices are taken for those of all corners there; what is written "
-              "has coordinates of corners\n";
+    result += "note: all corners at a vertex have the coordinates of the vertex; the output has "
+              "coordinates of corners\n";
   if(model.is_mirrored)
-    result += "note: the map is mirrored, as most of its faces turn clockwise; u and v are exchanged "
-              "to work on it, and what counts as flipped is what turns the other way\n";
+    result += "note: the map is mirrored, because most of its faces turn clockwise; u and v are "
+              "exchanged to work on it, and faces that turn counterclockwise count as flipped\n";
   if(model.number_of_welded_edges > 0)
     result += "note: " + counted(model.number_of_welded_edges, "edge") +
               (model.number_of_welded_edges == 1 ? " was" : " were") + " welded\n";
@@ -266,7 +266,7 @@ std::string notes_on_reading(const Model& model)
                                                             : " coincide") +
               ": is this a mesh that was cut open?" +
               (model.number_of_welded_edges > 0
-                 ? " They can't be welded, as it is open which belong together.\n"
+                 ? " They can't be welded, because several pairs of them fit.\n"
                  : " --weld closes it.\n");
   if(model.number_of_split_vertices > 0)
     result += "note: " + counted(model.number_of_split_vertices, "vertex") +

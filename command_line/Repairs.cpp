@@ -280,12 +280,13 @@ void write_repairs(std::ostream& os, const std::string& filename, const Repairs&
     os << "\nrepaired: " << words;
   if(!repairs.is_indexed && repairs.welded_points > 0)
     os << "\nwelded: " << counted(repairs.welded_points, "point")
-       << ", as the file has one for each corner";
+       << ", because the file has one for each corner";
   os << "\nread: " << counted(repairs.faces, "triangle") << ", "
      << counted(repairs.vertices, "vertex") << ", " << counted(repairs.pieces, "piece")
      << (repairs.border_loops > 0 ? ", " + counted(repairs.border_loops, "border loop") : "") << "\n";
   if(repairs.unused_points > 0)
-    os << "note: left out, as no face has them: " << counted(repairs.unused_points, "point") << "\n";
+    os << "note: left out, because no face has them: "
+       << counted(repairs.unused_points, "point") << "\n";
   if(repairs.faces_without_area > 0)
     os << "note: among them without area: " << counted(repairs.faces_without_area, "triangle")
        << "\n";

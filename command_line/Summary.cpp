@@ -186,7 +186,7 @@ void write_snap(std::ostream& os, const Summary& s)
   os << "  (in brackets: relative to the extent " << to_text(s.before.extent) << ")\n\n"
      << CGAL::Linear_snapping::to_string(r.status) << ": largest change "
      << to_text(r.largest_change, r.extent) << " of a coordinate, mean "
-     << to_text(r.mean_change, r.extent) << " of those at seams\n"
+     << to_text(r.mean_change, r.extent) << " of the coordinates at seams\n"
      << "time: reading " << to_text(s.reading_time) << " s, snapping " << to_text(s.snapping_time)
      << " s, writing and reading back " << to_text(s.writing_time) << " s" << std::endl;
 }

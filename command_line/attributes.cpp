@@ -261,7 +261,7 @@ private:
       if(tokens.size() >= 6)
         colors.push_back({number(tokens[3]), number(tokens[4]), number(tokens[5])});
       if(tokens.size() > 6)
-        lost.insert("what follows the colors of vertices, as opacities");
+        lost.insert("numbers after the colors of vertices, such as opacities");
     } else if(name == "vn") {
       lost.insert("normals");
     } else if(name == "s" && !tokens.empty() && tokens[0] != "off" && tokens[0] != "0") {
@@ -286,7 +286,7 @@ private:
     if(u && v)
       coordinates.back() = {*u, *v};
     else
-      lost.insert("'vt' elements that are no numbers, as that of number " +
+      lost.insert("'vt' elements without numbers, such as number " +
                   std::to_string(coordinates.size()));
     if(tokens.size() > 2 && number(tokens[2]) != 0)
       lost.insert("third numbers of 'vt' elements");
@@ -550,16 +550,16 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
   if(format == "obj" && !is_special_file(input) && suffix_of(input) == "obj")
     return OBJ_text(model, input, quads, filename);
   if(!is_special_file(input) && format != suffix_of(input) && holds_more_than_a_mesh(input))
-    std::cerr << "note: what " << input << " holds besides the mesh is not in " << filename
+    std::cerr << "note: only the mesh of " << input << " is in " << filename
               << ", which is of another format" << std::endl;
   if(is_special_file(input))
-    std::cerr << "note: of the standard input, the mesh alone is read: what else it holds is carried "
-                 "over where a file is named" << std::endl;
+    std::cerr << "note: only the mesh of the standard input is read; to carry over its attributes, "
+                 "name a file" << std::endl;
   Mesh file;
   const bool has_properties =
     format == "ply" && !is_special_file(input) && suffix_of(input) == "ply";
   if(has_properties && !read_PLY_mesh(input, file)) {
-    std::cerr << "note: " << input << " is no mesh before repairs: what hangs on it is not carried "
+    std::cerr << "note: " << input << " is no mesh before repairs: its attributes are not carried "
               << "over" << std::endl;
   } else if(has_properties) {
     carry_over_all<std::int8_t, std::int16_t, std::uint16_t, std::int32_t, std::uint32_t, float,
@@ -619,7 +619,7 @@ read_sizes(const std::string& property_or_file, const std::string& input, const 
                                   counted(values.size(), "number") + ", not one for each of " +
                                   counted(repairs.file_points, "vertex") + " of the mesh" +
                                   (values.size() == repairs.file_faces
-                                     ? "; sizes are those of vertices, not of faces" : ""));
+                                     ? "; sizes belong to vertices, not to faces" : ""));
   }
   for(const double& x : values)
     if(!(x > 0) || std::isinf(x))

@@ -78,8 +78,8 @@ Direction_map read_directions(const std::string& filename, const Repairs& repair
   if(filename.empty())
     return result;
   if(repairs.degenerate_faces + repairs.duplicate_faces + repairs.triangulated_faces > 0)
-    throw Failure(UNREADABLE, filename + ": the directions are those of other faces, as the mesh had "
-                              "to be repaired: " + repairs.in_words());
+    throw Failure(UNREADABLE, filename + ": the directions belong to other faces, because the mesh "
+                              "had to be repaired: " + repairs.in_words());
   const bool is_raw = suffix_of(filename) == "rawfield";
   const std::vector<double> numbers = read_numbers(filename);
   check_numbers(filename, numbers, is_raw, mesh.number_of_faces());
@@ -90,7 +90,7 @@ Direction_map read_directions(const std::string& filename, const Repairs& repair
   }
   if(std::none_of(mesh.faces_begin(), mesh.faces_end(),
                   [&](const Mesh::Face_index f) { return has_effect(result[f], f, mesh); }))
-    os << "note: " << filename << " has no effect: each direction is 0 or that of the normal\n";
+    os << "note: " << filename << " has no effect: each direction is 0 or normal to its face\n";
   return result;
 }
 

@@ -154,8 +154,8 @@ Edge_bool_map aligned_edges(const Parametrize_options& options, Model& model, Ou
   outcome.number_of_single_edges = released.size();
   if(!released.empty())
     os << in_words_of_user(
-            "not aligned, as all three of a face would be: " + counted(released.size(), "edge") +
-              ", the first is that of the " +
+            "not aligned, because all three edges of a face would be: " +
+              counted(released.size(), "edge") + ", the first has the " +
               name_of_vertices(mesh.vertex(released.front(), 0), mesh.vertex(released.front(), 1)),
             model) << "\n";
   return result;

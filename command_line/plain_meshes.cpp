@@ -83,7 +83,7 @@ void check_folded_quads(const std::size_t number, const std::string& filename)
 void write_displacement(std::ostream& os, const std::size_t number, const double largest)
 {
   if(number > 0)
-    os << "moved off the surface or off a feature, as quads would be inverted: "
+    os << "moved off the surface or off a feature, because quads would be inverted or folded: "
        << counted(number, "vertex") << ", each at most " << largest
        << " from where it lay\n";
 }

@@ -217,7 +217,7 @@ void write_summary(std::ostream& os, const Quad_options& options, const Model& m
        << " of the side of a cell\n";
   if(report.number_of_other_polygons > 0)
     os << counted(report.number_of_other_polygons, "other polygon")
-       << " around cones between grid lines; --grid-scale 2 avoids those at half-integers\n";
+       << " around cones between grid lines; --grid-scale 2 avoids them at half-integers\n";
   write_left_out(os, result);
   if(result.topologies)
     os << note(*result.topologies, "extraction");

@@ -429,7 +429,7 @@ struct Remesh_outcome
             "room for good ones\n";
     write_displacement(os, report.number_of_displaced_vertices, report.largest_displacement);
     if(report.number_of_released_edges > 0)
-      os << "not kept, as faces would be flipped, or quads inverted, folded, or thin: "
+      os << "not kept, because faces would be flipped, or quads inverted, folded, or thin: "
          << counted(report.number_of_released_edges, "feature edge")
          << ", or parts of edges, of length " << report.length_of_released_edges << " in sum\n";
     if(const auto& released = report.released_features; !released.empty())

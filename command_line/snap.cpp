@@ -99,8 +99,8 @@ void write_results(const Snap_options& options, const Model& model, const Uv_map
                        std::filesystem::path(options.input).filename().string()));
   std::ostream& os = summary_stream({options.output, options.report, options.picture});
   if(changes_format(model, options.output))
-    os << "note: what " << options.input << " holds besides the mesh, its coordinates and its "
-          "features is not in " << options.output << ", which is of another format\n";
+    os << "note: only the mesh of " << options.input << ", its coordinates, and its features are in "
+       << options.output << ", which is of another format\n";
   write_snap(os, summary);
   if(summary.report.status == SS::Outcome::SNAPPED && !summary.report.message.empty())
     os << "note: " << in_words_of_user(summary.report.message, model) << std::endl;

@@ -219,7 +219,7 @@ void print_table(const Curve_counts& counts, const int maximum_number)
               << std::right << std::setw(10) << count.first << std::setw(10) << count.second
               << "\n";
   if(counts.empty())
-    std::cout << "no curve, as no vertex is singular; --all starts at all vertices\n";
+    std::cout << "no curve, because no vertex is singular; --all starts at all vertices\n";
   std::cout << std::flush;
 }
 
@@ -286,7 +286,8 @@ void write_results(const Trace_options& options, const Pair_of_maps& maps,
       write_failures(os, maps, before, exact_tracer);
     });
   else
-    std::cout << "not written, as no curve fails: " << options.filename(names[failures]) << "\n";
+    std::cout << "not written, because no curve fails: " << options.filename(names[failures])
+              << "\n";
   if(options.constrain)
     write_and_tell(options.filename(names[constraints]), [&](std::ostream& os) {
       Constraint_figure(os, maps, inexact_tracer, exact_tracer).write(before);

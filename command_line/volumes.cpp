@@ -114,8 +114,8 @@ struct Volume
                 << counted(mesh.number_of_rounded_coordinates, "fraction")
                 << " that no double holds, rounded to the nearest\n";
     if(mesh.unknown_line > 0)
-      std::cerr << "note: what begins in line " << mesh.unknown_line << " of " << filename
-                << " is neither walls nor features, and was not looked at\n";
+      std::cerr << "note: the part of " << filename << " from line " << mesh.unknown_line
+                << " holds neither walls nor features, and was not read\n";
   }
 
   Uvw_map uvw_map() { return {&mesh.uvw}; }

@@ -148,7 +148,7 @@ private:
     if(result.snapped && result.snapped.lost_faces.empty() &&
        result.snapped.remaining_flips.empty())
       extract_map(result);
-    result.integers = "those nearest in the map";
+    result.integers = "the nearest to the map";
     restore();
     return result;
   }
@@ -160,7 +160,7 @@ private:
     if(!result.snapped)
       throw Not_snapped{result.snapped};
     extract_map(result);
-    result.integers = "those nearest in the map";
+    result.integers = "the nearest to the map";
     return result;
   }
 

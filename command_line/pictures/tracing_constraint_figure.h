@@ -232,7 +232,7 @@ private:
     const std::size_t n = curve.points.size();
     const Vertex start = mesh.target(curve.points.front().halfedge());
     const Vertex end = expected_end(curve);
-    write_text(m_os, 40, y, spirals ? "An isocurve that should close forms a helix."
+    write_text(m_os, 40, y, spirals ? "An isocurve that should close forms a spiral."
                                     : "An isocurve that should meet a vertex misses it.", "");
     Curve on = traced(m_inexact, curve, false, 4 * n);
     const Passes_at_vertex passes(mesh, m_maps.inexact, m_inexact_seams, on, end);

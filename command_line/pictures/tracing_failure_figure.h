@@ -31,7 +31,7 @@ inline const char* explanation(const IL::Isocurve_status status)
   case IL::Isocurve_status::MISSED_TARGET:
     return "Missed connection: the curve passes beside the vertex it should meet.";
   default:
-    return "Helix instead of a cycle: the curve returns beside its start.";
+    return "Spiral instead of a cycle: the curve returns beside its start.";
   }
 }
 

@@ -28,7 +28,7 @@ def main(mesh_name, out):
         figure,
         0,
         "Transitions",
-        "Cuts and their rotations are read off the\ncoordinates.",
+        "The coordinates determine the cuts and\ntheir rotations.",
     )
     reduction(axes, mesh, is_by_rotation=True)
     for i, color in enumerate(COLORS):

@@ -64,12 +64,9 @@ def _concerns(figures):
     elif figures.get("has_too_many_quads"):
         yield (f"{figures['number_of_quads']} quads are more than twice as many as wanted; pass fewer "
                "features, or ask for more quads")
-    if figures.get("number_of_inverted_quads", 0) > 0:
-        yield (f"{figures['number_of_inverted_quads']} quads are inverted; ask for more quads, or pass "
-               "fewer features")
-    if figures.get("number_of_folded_quads"):
-        yield (f"{figures['number_of_folded_quads']} quads are folded; ask for more quads, or pass "
-               "fewer features")
+    for flaw in ("inverted", "folded"):
+        if number := figures.get(f"number_of_{flaw}_quads"):
+            yield f"{number} quads are {flaw}; ask for more quads, or pass fewer features"
     if figures.get("nonpositive_hexahedra"):
         yield (f"{len(figures['nonpositive_hexahedra'])} hexahedra have a corner that is not positive, "
                f"the first is row {figures['nonpositive_hexahedra'][0]}; ask for more hexahedra")

@@ -326,7 +326,7 @@ intercepted_connections(const Isocurve_tracer<TriangleMesh, D>& tracer,
     const Message obstacle =
       tracer.is_exact()
         ? internal::obstacle_of_connection(tracer, connection, point, vertex_indices)
-        : "can't be traced, as the map is not exactly seamless" +
+        : "can't be traced, because the map is not exactly seamless" +
             internal::remedy("call snap_to_seamless() first");
     if(!obstacle.empty())
       result.push_back({index, "the isocurve of connection constraint " + std::to_string(index) +

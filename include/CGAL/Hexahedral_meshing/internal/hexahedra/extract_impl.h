@@ -267,15 +267,15 @@ private:
       Topology_finder(m_mesh.hexahedra, m_mesh.points.size()).run(ConcurrencyTag(), m_report);
     if(topology.bad_hexahedron >= 0)
       return Refusal(Outcome::TOO_COARSE, name_of_hexahedron(topology.bad_hexahedron) +
-                     " has a vertex twice, or four vertices in common with two others, as the "
-                     "grid is too coarse there" + remedy(scale_up));
+                     " has a vertex twice, or four vertices in common with two others, because "
+                     "the grid is too coarse there" + remedy(scale_up));
     const auto is_about = [](const double x, const std::size_t n)
     { return std::abs(x - double(n)) < 0.5; };
     if(topology.number_of_unused_vertices > 0)
       return error_of_ours("a vertex belongs to no hexahedron");
     if(!topology.is_boundary_closed ||
        !is_about(conditions.border_area(), m_report.number_of_boundary_quadrilaterals))
-      return error_of_ours("the boundary of the hexahedra is not that of the map");
+      return error_of_ours("the boundary of the hexahedra differs from the boundary of the map");
     if(m_options.keeps_features && !are_features_complete())
       return error_of_ours("the boundary or a feature is not found in the hexahedra");
     return check_edges(conditions);

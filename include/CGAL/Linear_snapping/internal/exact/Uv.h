@@ -136,13 +136,14 @@ inline CGAL::Orientation orientation(const Uvw_tetrahedron& t)
   return CGAL::sign(exact_determinant<CGAL::internal::Exact_ring_selector<double>::Type>(t));
 }
 
-// Whether faces are flipped since the whole map is: more than nine of ten, as a map can be repaired
-// in which half of them are. Untangling would turn it inside out.
+// Whether faces are flipped because the whole map is mirrored: more than nine of ten faces. A map
+// with half of its faces flipped can be repaired. Untangling would turn a mirrored map inside out.
 inline bool mean_mirroring(const std::size_t number_of_flipped_faces, const std::size_t faces)
 { return 10 * number_of_flipped_faces > 9 * faces; }
 
 constexpr const char* remedy_for_mirrored_maps =
-  "the map is mirrored, as the faces turn clockwise: exchange the two coordinates of each corner";
+  "the map is mirrored, because the faces turn clockwise: exchange the two coordinates of each "
+  "corner";
 
 } // namespace internal
 } // namespace Linear_snapping

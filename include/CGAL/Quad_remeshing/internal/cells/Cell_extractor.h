@@ -441,7 +441,7 @@ private:
     while(m_mesh.opposite(h) != no_index || is_border_on_grid(m_mesh, h))
       ++h;
     m_report.message = "left out: " + counted(m_report.number_of_cut_cells, "piece") +
-                       " of cells, as the border cuts them" +
+                       " of cells, because the border cuts them" +
                        (m_kept_faces.empty() ? ", first at " : " or holes do, first at ") +
                        edge_name(h) + remedy("snap_to_seamless() with integer_grid(true) and "
                                              "align_border(true) moves it to the grid");

@@ -166,7 +166,7 @@ private:
                    message + (lost.empty() && !flips.empty()
                                 ? remedy("repair these first, by Flip_repair::UNTANGLE without "
                                          "integer_grid") + ", or " + term(scale_up)
-                                : remedy(scale_up) + ", as no repair brings these back"));
+                                : remedy(scale_up) + ", because no repair brings these back"));
   }
 
   // Cells all of whose vertices lie in one plane that a level fixes each, whatever the coordinates
