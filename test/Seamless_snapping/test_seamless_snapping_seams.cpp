@@ -192,6 +192,14 @@ void test_cut_open_mesh()
   const auto report = SS::snap_to_seamless(mesh, uv);
   CHECK(report.status == SS::Outcome::ALREADY_EXACT);
   CHECK(report.message.find("2 border edges coincide") != std::string::npos);
+
+  // points of the caller in place of the points of the mesh
+  const auto apart = mesh.add_property_map<Mesh::Vertex_index, Point_3>("v:apart").first;
+  for(const auto v : mesh.vertices())
+    apart[v] = Point_3(double(v.idx()), 0, 0);
+  const auto np = SS::parameters::vertex_point_map(apart);
+  CHECK(SS::snap_to_seamless(mesh, uv, np).message.empty());
+  CHECK(SS::is_seamless(mesh, uv, np));
 }
 
 // --- files ---------------------------------------------------------------------------------------

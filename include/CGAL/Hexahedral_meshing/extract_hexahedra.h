@@ -167,8 +167,8 @@ Hexahedra_report extract_soup(const PointRange& points, const TetrahedronRange& 
 extracts the mesh of hexahedra that an integer-grid map of a tetrahedral mesh describes: the
 preimage of the grid of integers.
 
-The map must be exactly seamless with integer translations, singular edges must lie on lines of the
-grid and boundary facets in planes of it, and all cells must be positive in the domain, or all
+The map must be exactly seamless with integer translations. Singular edges must lie on lines of the
+grid, and boundary facets in planes of the grid. All cells must be positive in the domain, or all
 negative. Then the result is a mesh of hexahedra only that fills the tetrahedral mesh. The number of
 hexahedra is the volume of the map. An inner edge has four hexahedra around it, unless it is
 singular in the map. The function checks the conditions first and the results last, exactly. All
@@ -184,7 +184,8 @@ extraction succeeds.
 \tparam PointRange a random access range of three-dimensional points, whose coordinates `p[0]`,
         `p[1]`, and `p[2]` convert to `double`
 \tparam TetrahedronRange a range as `snap_volume_to_seamless()` takes it
-\tparam CornerUVWMap a model of `ReadablePropertyMap`, else as `snap_volume_to_seamless()` takes it
+\tparam CornerUVWMap a model of `ReadablePropertyMap`, otherwise as `snap_volume_to_seamless()`
+takes it
 \tparam HexahedronPointRange a model of `BackInsertionSequence` of points that can be constructed
         from three `double`s, or of `std::array<double, 3>`
 \tparam HexahedronRange a model of `BackInsertionSequence` whose value type is
@@ -225,15 +226,15 @@ extraction succeeds.
     \cgalParamDefault{100 million}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_location_map}
-    \cgalParamDescription{receives for each new point where it lies: a cell, and its barycentric
-                          coordinates there, in the order of the vertices of the cell}
+    \cgalParamDescription{receives the place of each new point: a cell, and barycentric coordinates
+                          in it, in the order of the vertices of the cell}
     \cgalParamType{a class model of `WritablePropertyMap` with `std::size_t` as key type, the index
                    of the point, and `std::pair<std::size_t, std::array<double, 4> >` as value type}
     \cgalParamDefault{none}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the outcome and figures; converts to `true` if and only if the hexahedra were written.
+\return the outcome and counts; converts to `true` if and only if the hexahedra were written.
         Otherwise `Hexahedra_report::status` is
         - `NOT_MANIFOLD`, `INVALID_ARGUMENT`, `INEXACT_ARITHMETIC`: as for
           `snap_volume_to_seamless()`; or a vertex has no point;

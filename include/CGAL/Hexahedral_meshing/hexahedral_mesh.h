@@ -199,8 +199,8 @@ private:
 computes a hexahedral mesh from a tetrahedral mesh with a seamless map.
 
 The function makes the map an integer-grid map by `snap_volume_to_seamless()`, and extracts
-hexahedra by `extract_hexahedra()`. Then it moves vertices to make hexahedra positive in space,
-where possible.
+hexahedra by `extract_hexahedra()`. Then it moves vertices to make hexahedra positive in space, if
+possible.
 
 On success, all that `extract_hexahedra()` guarantees holds. The mesh has the boundary and the
 features of the input: quadrilaterals on the boundary and on feature facets, and edges on feature
@@ -236,7 +236,7 @@ is near an integer-grid map. Most maps need the parameter.
   \cgalParamNBegin{maximum_number}
     \cgalParamDescription{the number of hexahedra above which the function gives up}
     \cgalParamType{`std::size_t`}
-    \cgalParamDefault{64 times `target_number_of_hexahedra`; without that, 100 million}
+    \cgalParamDefault{64 times `target_number_of_hexahedra`; without this parameter, 100 million}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the largest number of rounds in which vertices move; 0 leaves all vertices
@@ -246,7 +246,7 @@ is near an integer-grid map. Most maps need the parameter.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the outcome, the figures, and the shapes; converts to `true` if and only if the mesh was
+\return the outcome, counts, and the shapes; converts to `true` if and only if the mesh was
         written. Otherwise, the status is the status of the step that failed:
         - a status of `snap_volume_to_seamless()`, for example `NOT_SEAMLESS`, `NOT_ALIGNED`, or,
           if the integers are too far without `target_number_of_hexahedra`, `NOT_INTEGER`;

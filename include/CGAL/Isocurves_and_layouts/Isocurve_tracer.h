@@ -63,14 +63,14 @@ struct Isocurve_start
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   Isocurve_place place = Isocurve_place::VERTEX; ///< the element on which the point lies
-  halfedge_descriptor halfedge{};   ///< of the face whose chart is meant
+  halfedge_descriptor halfedge{};   ///< of the face with the chart of the direction
   Exact_rational parameter{0};      ///< on an edge: 0 at its source, 1 at its target
   std::array<double, 2> uv{{0, 0}}; ///< in a face: the coordinates of the point
 
   /*!
   the target of `h`. The direction refers to the chart of `face(h)`. The curve need not leave
-  through this face: it takes the ray of this direction that is nearest to it, when the direction is
-  carried around the vertex; around a regular vertex there is only one.
+  through this face. Carried around the vertex, the direction can fit several rays, and the curve
+  takes the nearest one; around a regular vertex, there is only one such ray.
   \pre `h` has a face
   */
   static Isocurve_start at_vertex(const halfedge_descriptor h)
@@ -122,9 +122,10 @@ public:
   /// returns the element on which the point lies.
   Isocurve_place place() const { return m_place; }
 
-  /// returns for an edge the halfedge of the face that the curve leaves; for a vertex a halfedge
-  /// that points to it, of a face that the curve has come through or along or, at its start, that
-  /// it goes through or along; for a face one of its halfedges.
+  /// returns a halfedge at the point. On an edge, it belongs to the face that the curve leaves. At
+  /// a vertex, it points to the vertex and belongs to a face through or along which the curve has
+  /// come; at the start of the curve, through or along which it goes. In a face, it is one of the
+  /// halfedges of the face.
   halfedge_descriptor halfedge() const { return m_halfedge; }
 
   /// returns the direction of the curve in the chart of `face(halfedge())`.
@@ -157,7 +158,7 @@ struct Isocurve
 {
   Isocurve_status status = Isocurve_status::MAXIMUM_NUMBER; ///< how it ends
   Isocurve_start<TriangleMesh> start;                      ///< its start
-  Isocurve_direction direction = Isocurve_direction::PLUS_U; ///< in which direction
+  Isocurve_direction direction = Isocurve_direction::PLUS_U; ///< its direction at the start
   std::size_t number_of_crossings = 0; ///< edges crossed and vertices passed
   double length = 0;                   ///< from the start to the end; 0 unless it was bounded
   std::vector<Isocurve_point<TriangleMesh> > points; ///< from the start to the end
@@ -192,7 +193,7 @@ long as the mesh is neither modified nor destroyed; the parametrization is not r
 
 On an exactly seamless parametrization, all decisions are exact comparisons: which edge a curve
 crosses next, whether it meets a vertex, how it leaves it, and whether it closes. Nothing can go
-wrong then, and nothing is recovered from.
+fail then.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
@@ -223,7 +224,7 @@ public:
   \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
   \par Complexity
-  That of `seam_transitions()`, and linear in the number of faces.
+  The complexity of `seam_transitions()`, and linear in the number of faces.
   */
   template <typename HalfedgeUVMap,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -288,9 +289,9 @@ public:
 
   /*!
   returns the index of the curve that leads back along `arrival` in `outgoing(v)`, the curves around
-  the vertex `v` at which `arrival` ends: which of the slots in counterclockwise order it takes. In
-  a star with degenerate faces there may be no such curve; then the size of `outgoing(v)` is
-  returned. Takes time linear in the degree of the vertex.
+  the vertex `v` at which `arrival` ends. In a star with degenerate faces there may be no such
+  curve; then the function returns the size of `outgoing(v)`. Takes time linear in the degree of the
+  vertex.
   \pre `arrival` is of this tracer, and `arrival.exit_place()` is `Isocurve_place::VERTEX`
   */
   std::size_t outgoing_index(const Isocurve_segment<TriangleMesh, D>& arrival) const

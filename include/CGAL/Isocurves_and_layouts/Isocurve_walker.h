@@ -88,16 +88,16 @@ public:
   /// curve.
   Isocurve_place entry_place() const { return m_segment.entry.place; }
 
-  /// returns a halfedge of `face()`: that which points to the vertex, or which lies on the edge, at
-  /// which the segment begins.
+  /// returns the halfedge of `face()` that points to the vertex at which the segment begins, or
+  /// that lies on the edge at which it begins.
   halfedge_descriptor entry() const { return halfedge(m_segment.entry.halfedge); }
 
   /// returns the element at which the segment ends: `Isocurve_place::FACE` only if a curve closes
   /// that has started in the face.
   Isocurve_place exit_place() const { return m_segment.exit.place; }
 
-  /// returns a halfedge of `face()`: that which points to the vertex, or which lies on the edge, at
-  /// which the segment ends.
+  /// returns the halfedge of `face()` that points to the vertex at which the segment ends, or that
+  /// lies on the edge at which it ends.
   halfedge_descriptor exit() const { return halfedge(m_segment.exit.halfedge); }
 
   /// returns `true` if the segment lies along an edge: then it belongs to both faces of the edge.
@@ -166,7 +166,7 @@ class Isocurve_walker
 public:
   using Tracer = Isocurve_tracer<TriangleMesh, D>;   ///< the tracer
   using Start = Isocurve_start<TriangleMesh>;        ///< the start of a curve
-  using Segment = Isocurve_segment<TriangleMesh, D>; ///< a part of it
+  using Segment = Isocurve_segment<TriangleMesh, D>; ///< a part of the curve
 
   /*!
   begins at a point, as `Isocurve_tracer::trace()` does.

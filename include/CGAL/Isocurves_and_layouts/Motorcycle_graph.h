@@ -61,10 +61,10 @@ enum class Layout_node
   CONE,    ///< an interior vertex whose angle in the domain is not 360 degrees
   CORNER,  ///< a vertex at which borders and features end, meet, or turn
   GIVEN,   ///< a vertex that the caller has given
-  SEED,    ///< a vertex chosen in a part of the surface without any other node, or on a closed
-           ///< border or feature without any
-  JUNCTION ///< the end of a curve at another one, or the crossing of two curves; or its end at a
-           ///< border that does not lie on isocurves
+  SEED,    ///< a vertex that the function chose in a part of the surface without other nodes, or on
+           ///< a closed border or feature without other nodes
+  JUNCTION ///< the end of a curve at another curve, the crossing of two curves, or the end of a
+           ///< curve at a border that does not lie on isocurves
 };
 
 /*!
@@ -84,7 +84,7 @@ If a border of the surface does not lie on isocurves, its pieces between nodes a
 The patches there are cut: they have no sides, and can have any number of cycles of half-arcs around
 them. Corners of such a border are no nodes.
 
-The graph refers to the mesh, and stays valid as long as that is neither modified nor destroyed.
+The graph refers to the mesh, and stays valid until the mesh is modified or destroyed.
 Copies share their data.
 
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
@@ -168,8 +168,8 @@ public:
   /// `Isocurve_place::VERTEX`.
   Isocurve_place node_place(const std::size_t n) const { return point(n).place.place; }
 
-  /// returns a halfedge: one that points to the vertex that the node is, or lies on the edge inside
-  /// of which it lies; or else one of the face inside of which it lies.
+  /// returns a halfedge at a node: it points to the vertex, lies on the edge, or belongs to the
+  /// face on which the node lies.
   halfedge_descriptor node_halfedge(const std::size_t n) const
   { return m_numbering->halfedges_of_corners()[std::size_t(point(n).place.halfedge)]; }
 
@@ -187,8 +187,8 @@ public:
     return location(internal::face_point(chart_mesh(), point(n).place));
   }
 
-  /// returns the half-arcs that leave a node, counterclockwise. At the border, the first one is
-  /// that which has the surface only at its left.
+  /// returns the half-arcs that leave a node, counterclockwise. At the border, the first one
+  /// has the surface only at its left.
   std::vector<std::size_t> half_arcs_around_node(const std::size_t n) const
   {
     std::vector<std::size_t> result;
@@ -216,8 +216,8 @@ public:
   /// returns whether an arc runs along the border or along features.
   bool arc_is_constrained(const std::size_t a) const { return layout().arcs[a].is_wall; }
 
-  /// returns whether an arc lies on an isocurve: all arcs do, except for arcs on borders that
-  /// don't.
+  /// returns whether an arc lies on an isocurve: all arcs do, except for arcs on
+  /// borders that do not lie on isocurves.
   bool arc_is_isocurve(const std::size_t a) const { return !layout().arcs[a].is_oblique; }
 
   /// returns the course of an arc, from its source to its target: both nodes, and between them the
@@ -473,7 +473,7 @@ choice among several vertices with the same coordinates in a part without nodes.
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
-    \cgalParamDefault{no edge is}
+    \cgalParamDefault{no edge is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{align_border}
     \cgalParamDescription{whether all border edges have to lie on isocurves. Otherwise, patches that
@@ -486,12 +486,12 @@ choice among several vertices with the same coordinates in a part without nodes.
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as
                    value type}
-    \cgalParamDefault{no vertex is}
+    \cgalParamDefault{no vertex is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{curve_stop_policy}
-    \cgalParamDescription{whether a curve ends at a curve that it meets, be it itself. For the same
-                          meeting, the answer must always be the same. At nodes, borders, and
-                          features, curves always end.}
+    \cgalParamDescription{whether a curve ends at a curve that it meets (which can be the curve
+                          itself). For the same meeting, the answer must always be the same. At
+                          nodes, borders, and features, curves always end.}
     \cgalParamType{a function object that returns `bool` for a `Curve_meeting<TriangleMesh>`, such
                    as `Stop_at_curves` and `Run_to_nodes`}
     \cgalParamDefault{`Stop_at_curves()`}

@@ -215,8 +215,8 @@ bool copy_to_face_graph(const Motorcycle_graph<TriangleMesh>& graph, PolygonMesh
 \ingroup PkgIsocurvesAndLayoutsLayouts
 
 adds the mesh of a layout to another mesh, refined along the arcs: each of its faces is cut into
-convex polygons by the arcs that cross it, so that each face belongs to one patch. How the faces are
-cut is decided exactly; the new points are rounded.
+convex polygons by the arcs that cross it, so that each new face belongs to one patch. Exact
+arithmetic decides how faces are cut; the new points are rounded.
 
 The parameters are the same as for `copy_to_face_graph()`, except for these:
 - `edge_is_constrained_map` among `np2` receives for each new edge whether it lies on an arc.

@@ -86,8 +86,8 @@ auto corner_at_end(const TriangleMesh& tmesh, const Isocurve<TriangleMesh>& curv
 
 returns the edges that a curve crosses, as the path of a `Connection_constraint` or
 `Cycle_constraint`: `h` leads from `face(h)` to `face(opposite(h))`. The path begins in the face of
-the first point of the curve and ends in that of its last point. It leads around the vertices that
-the curve passes.
+the first point of the curve and ends in the face of its last point. It leads around the vertices
+that the curve passes.
 
 \param tmesh the mesh
 \param curve a curve with its points, traced on `tmesh`

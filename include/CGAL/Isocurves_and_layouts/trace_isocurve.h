@@ -108,14 +108,14 @@ If the map is not exactly seamless, nothing is traced, and the status is
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and `bool` as
                    value type}
-    \cgalParamDefault{no vertex is}
+    \cgalParamDefault{no vertex is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number}
     \cgalParamDescription{the number of crossed edges and passed vertices after which the curve
                           ends}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{three times the number of faces}
-    \cgalParamExtra{isocurves that meet nothing can be very long}
+    \cgalParamExtra{Isocurves that meet nothing can be very long.}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_length}
     \cgalParamDescription{the length in the domain after which the curve ends, at the next edge or
@@ -125,9 +125,9 @@ If the map is not exactly seamless, nothing is traced, and the status is
   \cgalParamNEnd
   \cgalParamNBegin{decide_exactly}
     \cgalParamDescription{whether comparisons are exact. If `false`, they are in floating point, and
-                          the parametrization need not be exactly seamless. If this goes wrong, the
-                          curve ends, and its status says why. Meant for demonstration, and for the
-                          paths of connections.}
+                          the parametrization need not be exactly seamless. If a decision fails, the
+                          curve ends, and its status says why. Use this for demonstrations, and for
+                          the paths of connections.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`true`}
   \cgalParamNEnd

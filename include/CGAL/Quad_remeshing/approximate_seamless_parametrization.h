@@ -48,7 +48,8 @@ namespace Quad_remeshing {
 /*!
 \ingroup PkgQuadRemeshingParametrizing
 
-The status and the figures of `approximate_seamless_parametrization()`, without lists of vertices.
+The status and the measurements of `approximate_seamless_parametrization()`, without lists of
+vertices.
 Converts to `bool`: `true` if and only if the coordinates were written.
 */
 struct Parametrization_figures
@@ -70,8 +71,8 @@ struct Parametrization_figures
   /// \name Field
   /// @{
   /*!
-  The number of quarter turns that the borders make, relative to the field: together with the
-  indices of the cones it adds up to \f$ 4 \chi \f$, which has been verified in integers.
+  The number of quarter turns of the borders, relative to the field. This number and the indices of
+  the cones add up to \f$ 4 \chi \f$, which the function has verified in integers.
   */
   std::ptrdiff_t border_turning = 0;
   /// @}
@@ -80,12 +81,12 @@ struct Parametrization_figures
   /// @{
   std::size_t number_of_cut_edges = 0;        ///< interior edges that were cut open
   std::size_t number_of_cut_branches = 0;     ///< sequences of cut edges that share one transition
-  std::size_t number_of_aligned_edges = 0;    ///< edges that were constrained to isocurves
+  std::size_t number_of_aligned_edges = 0;    ///< edges that are constrained to isocurves
   /// triangles whose area in the plane is not positive, including degenerate triangles, which
   /// `Seamlessness` counts separately
   std::size_t number_of_flipped_faces = 0;
-  std::size_t number_of_stiffening_rounds = 0; ///< solves that were spent on lowering this number
-  std::size_t number_of_flips_before_untangling = 0; ///< the same before untangling
+  std::size_t number_of_stiffening_rounds = 0; ///< solves to decrease the number of flips
+  std::size_t number_of_flips_before_untangling = 0; ///< flips before untangling
   /// the work of untangling, in iterations over all faces, rounded up
   std::size_t number_of_untangling_iterations = 0;
   double extent = 0;    ///< the larger side of the bounding box of the coordinates
@@ -364,8 +365,8 @@ border loops and components, and the genus.
                     one, is refused.}
   \cgalParamNEnd
   \cgalParamNBegin{cone_index_map}
-    \cgalParamDescription{a property map that associates to each vertex the index that it is to
-                          have, in quarter turns: 0 for regular vertices, 1 for the corner of a
+    \cgalParamDescription{a property map that associates to each vertex its wanted index, in
+                          quarter turns: 0 for regular vertices, 1 for the corner of a
                           cube, -1 for a vertex of valence 5 in a quadrangulation. The indices of
                           border vertices are ignored.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
@@ -374,8 +375,8 @@ border loops and components, and the genus.
     \cgalParamDefault{the field decides}
     \cgalParamExtra{On each closed component, the indices have to add up to \f$ 4 \chi \f$. Can't be
                     combined with features, `align_border`, `curvature_alignment`, or
-                    `face_direction_map`, because given cones leave the field no freedom but one
-                    angle and the turns around handles.
+                    `face_direction_map`, because given cones leave the field only one free angle
+                    and the turns around handles.
                     Indices of 4 or more are refused: the angle of a cone is 4 minus its index.}
   \cgalParamNEnd
   \cgalParamNBegin{largest_cone_index}
@@ -400,8 +401,8 @@ border loops and components, and the genus.
     \cgalParamDefault{`1`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{the largest number of stiffening rounds that are spent on lowering the
-                          number of flipped triangles, each at the cost of one sparse solve}
+    \cgalParamDescription{the largest number of stiffening rounds, which decrease the number of
+                          flipped triangles, each at the cost of one sparse solve}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{`5`}
   \cgalParamNEnd
@@ -423,7 +424,7 @@ border loops and components, and the genus.
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_cut_map}
     \cgalParamDescription{receives which edges are cuts, for `snap_to_seamless()` and the functions
-                          that follow, which need not read them off the coordinates then}
+                          that follow, which then need not find them in the coordinates}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
@@ -438,13 +439,14 @@ border loops and components, and the genus.
     \cgalParamDefault{not used}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of the field that the search for the smoothest one starts from}
+    \cgalParamDescription{the seed of the field from which the search for the smoothest field
+                          starts}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
-    \cgalParamDescription{an object whose type is used, default constructed, for all sparse systems;
-                          they are symmetric and positive definite}
+    \cgalParamDescription{an object whose type the function uses, default constructed, for all
+                          sparse systems, which are symmetric and positive definite}
     \cgalParamType{a class model of `SparseLinearAlgebraWithFactorTraits_d`}
     \cgalParamDefault{`CGAL::Eigen_solver_traits` of `Eigen::SimplicialLDLT`, which needs
                       \ref thirdpartyEigen "Eigen". If the macro
@@ -453,7 +455,7 @@ border loops and components, and the genus.
     \cgalParamExtra{The CMake target `Seamless_snapping::SuiteSparse_support` defines the macro and
                     links SuiteSparse. With it and OpenBLAS, meshes of 100,000 faces take a third of
                     the time; with the reference BLAS, nothing is gained.}
-    \cgalParamExtra{Untangling uses that of \ref thirdpartyEigen "Eigen" in any case.}
+    \cgalParamExtra{Untangling always uses the solver of \ref thirdpartyEigen "Eigen".}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
     \cgalParamDescription{whether the function writes its progress to `std::cerr`}
@@ -468,8 +470,8 @@ border loops and components, and the genus.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the status and figures of the result; converts to `true` if and only if the coordinates were
-        written. Otherwise no map was touched, and `Parametrization_report::status` is
+\return the status and measurements of the result; converts to `true` if and only if the coordinates
+        were written. Otherwise no map was touched, and `Parametrization_report::status` is
         - `INVALID_ARGUMENT`: the mesh has no face, all its points coincide, a parameter is out of
           its range, a size is not positive and finite, or the coordinates leave the range of their
           number type;

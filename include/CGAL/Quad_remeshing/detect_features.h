@@ -159,30 +159,30 @@ private:
 /*!
 \ingroup PkgQuadRemeshingRemeshing
 
-How many sharp edges `detect_features()` found, and how many of them are features.
+The numbers of sharp edges and of features that `detect_features()` has found.
 */
 struct Detected_features
 {
   /// The number of edges inside that are sharper than the angle.
   std::size_t number_of_sharp_edges = 0;
-  /// The number of these that are features.
+  /// The number of sharp edges that are features.
   std::size_t number_of_features = 0;
 };
 
 /*!
 \ingroup PkgQuadRemeshingRemeshing
 
-finds the sharp edges of a mesh that are edges of a part, as of CAD models, but not the sharp edges
-of scans, voxels, or marching cubes. `CGAL::Polygon_mesh_processing::detect_sharp_edges()` finds the
-sharp edges; this function decides for each connected component whether they are features.
+decides which sharp edges of a mesh are features. The sharp edges of CAD models are; the sharp edges
+of scans, voxels, and marching cubes are mostly noise.
 
-The sharp edges of a component are features if more than half of their length is *clear*. An edge is
-clear if both of these hold:
+`CGAL::Polygon_mesh_processing::detect_sharp_edges()` finds the sharp edges; this function decides
+for each connected component whether they are features. They are if more than half of their length
+is <em>clear</em>. An edge is clear if both of these hold:
 - It lies in a chain that is at least `4 * length` long. A chain is a loop, or it goes from one
-  vertex at which features end or meet others to the next. A shorter chain has no room for quads.
+  vertex at which features end or meet to the next. A shorter chain has no room for quads.
 - Its two sides are smooth: if one goes from the edge into the surface, over up to four faces,
   without crossing a sharp edge, no edge bends the surface by more than half of the angle at the
-  sharp edge. On scans, the angles beside a sharp edge are about as large as its own.
+  sharp edge. On scans, the angles beside a sharp edge are about as large as the angle at the edge.
 
 The function decides for all sharp edges of a component together, because features with gaps are
 worse for quads than none. `remove_feature_noise()` then removes single chains that are too short.
@@ -195,8 +195,8 @@ worse for quads than none. `remove_feature_noise()` then removes single chains t
 \param tmesh a mesh
 \param angle_in_deg edges are sharp if the normals of their two faces form at least this angle, in
        degrees. 40 is a good angle for CAD models.
-\param length the length of the edges of quads that are wanted, in the unit of the points. 0 counts
-       chains of all lengths.
+\param length the wanted length of edges of quads, in the unit of the points. If it is 0, chains of
+       all lengths count.
 \param is_feature is set to `true` for features, and stays as it is for all other edges.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed
        below

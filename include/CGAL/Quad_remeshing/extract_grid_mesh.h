@@ -56,7 +56,7 @@ nothing is written. The result is the same, to the bit, for any number of thread
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_if_available_tag`, or
         `CGAL::Parallel_tag`, which does not compile unless TBB is linked. Unless it is
         `CGAL::Sequential_tag`, several threads read the mesh and its property maps at the same
-        time; `quads` is written by one.
+        time; one thread writes `quads`.
 \tparam TriangleMesh a model of `FaceListGraph`, `HalfedgeListGraph`, `EdgeListGraph`, and
         `VertexListGraph`
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
@@ -80,8 +80,8 @@ nothing is written. The result is the same, to the bit, for any number of thread
     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{grid_scale}
-    \cgalParamDescription{a positive number that the coordinates are multiplied by first. The
-                          products must be exact, as for powers of two. For other numbers, see
+    \cgalParamDescription{a positive factor: the function first multiplies all coordinates by it.
+                          The products must be exact, as for powers of two. For other numbers, see
                           `snap_to_seamless()`.}
     \cgalParamType{`double`}
     \cgalParamDefault{1}
@@ -98,7 +98,7 @@ nothing is written. The result is the same, to the bit, for any number of thread
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
-    \cgalParamDefault{no edge is}
+    \cgalParamDefault{no edge is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{allow_holes}
     \cgalParamDescription{whether faces that are flipped or degenerate in the domain are taken for
@@ -148,14 +148,14 @@ nothing is written. The result is the same, to the bit, for any number of thread
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the outcome and figures; converts to `true` if and only if the quads were written.
+\return the outcome and counts; converts to `true` if and only if the quads were written.
         Otherwise `Extraction_report::status` is a status of `Seam_transitions::failure()`, or
         - `INVALID_ARGUMENT`: the mesh has no face, or the coordinates times `grid_scale` are not
           exact;
         - `NOT_FINITE`: a coordinate of a point is NaN or infinite;
         - `NOT_SEAMLESS`: the parametrization is not exactly seamless;
         - `NOT_INTEGER`: a translation is no integer, or a cone or a corner of the border lies on a
-          line of the grid, but on no point of it;
+          line of the grid, but on no point of the grid;
         - `NOT_POSITIVE`: faces are flipped or degenerate in the domain;
         - `TOO_LARGE`: there would be more quads than `maximum_number`, the grid crosses edges of
           the mesh far more often than that, or a coordinate is beyond \f$ 2^{46} \f$;
@@ -212,7 +212,7 @@ edges are allowed here. The other template parameters are the same.
         that `std::array` can't hold
 
 \par Complexity
-That of `extract_quad_mesh()`.
+The complexity of `extract_quad_mesh()`.
 
 \sa `extract_quad_mesh()`
 */
@@ -276,7 +276,7 @@ The other template parameters are the same.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{rotational_symmetry}
-    \cgalParamDescription{by which angles charts are turned across cuts}
+    \cgalParamDescription{the angles by which charts are turned across cuts}
     \cgalParamType{`Rotational_symmetry<6>` or `Rotational_symmetry<3>`}
     \cgalParamDefault{`Rotational_symmetry<6>()`}
   \cgalParamNEnd
@@ -285,7 +285,7 @@ The other template parameters are the same.
 \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters": the
        parameters of `extract_quad_mesh()` for `np2`; indices of cones are in sixths of a turn
 
-\return the outcome and figures, as for `extract_quad_mesh()`
+\return the outcome and counts, as for `extract_quad_mesh()`
 
 \par Complexity
 Linear in the number of faces, of triangles that are written, and of intersections of edges of the
@@ -335,7 +335,7 @@ double edges are allowed here. The other template parameters are the same.
 \return as `extract_quad_soup()`
 
 \par Complexity
-That of `extract_triangle_mesh()`.
+The complexity of `extract_triangle_mesh()`.
 
 \sa `extract_triangle_mesh()`
 */

@@ -193,11 +193,11 @@ find_doubled_offset(const std::vector<Mirror_search::Point>& sorted, const int a
 finds a plane perpendicular to a coordinate axis by which the vertices of a mesh are symmetric.
 
 A plane is exact if the image of each vertex is a vertex. The function first looks for exact planes,
-beginning with the x-axis. If there is none, it takes the plane by which the images of vertices are
-nearest to vertices in the mean, in relation to the extent of the mesh along the axis. A few
-vertices without an image do not change which plane this is. The function returns it if all images
-are within the tolerance. A plane that all vertices lie on is not found. Whether the faces are
-symmetric does not matter.
+beginning with the x-axis. If there is none, it takes the plane for which the mean distance of the
+images from vertices is least, in relation to the extent of the mesh along the axis. A few vertices
+without an image do not change the choice. The function returns this plane if all images are within
+the tolerance. It does not find a plane on which all vertices lie. The faces need not be
+symmetric.
 
 `quad_remesh()` makes quads that are exactly symmetric by any plane.
 

@@ -47,7 +47,7 @@ floating point.
 */
 struct Integer_grid_measure
 {
-  /// whether transitions could be read off the map at all; otherwise, nothing is measured
+  /// whether the function has found transitions; otherwise, it measures nothing
   bool is_seamless_up_to_tolerance = false;
   bool is_exactly_seamless = false; ///< whether all transitions hold exactly
   std::size_t number_of_noninteger_cuts = 0; ///< cut edges whose translation is no integer
@@ -56,8 +56,8 @@ struct Integer_grid_measure
   std::size_t number_of_noninteger_cones = 0;   ///< cones that are no point of the grid
   std::size_t number_of_aligned_edges = 0; ///< edges that were asked to be aligned
   std::size_t number_of_unaligned_edges = 0; ///< aligned edges off the lines of the grid
-  /// border edges that cut cells of the grid: they lie on no line of it, or lead to the end of a
-  /// slit that is no point of it
+  /// border edges that cut cells of the grid: they lie on no line of the grid, or lead to the end
+  /// of a slit that is no point of the grid
   std::size_t number_of_border_edges_off_grid = 0;
   /// faces that are flipped or degenerate in the domain
   std::size_t number_of_nonpositive_faces = 0;
@@ -65,7 +65,7 @@ struct Integer_grid_measure
   double cone_distance = 0; ///< the largest distance of a coordinate of a cone from an integer
   /// the largest distance of an aligned edge from a line of the grid
   double alignment_distance = 0;
-  /// in units of one quad; in lattice coordinates, of two triangles of the lattice
+  /// the area of the map, in units of one quad; in lattice coordinates, of two triangles
   double area = 0;
 
   /// returns `true` if and only if the map is an integer-grid map, exactly, so that whole cells of
@@ -192,7 +192,7 @@ with order 6, isocurves of \f$ u + v \f$ count as well.
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
-    \cgalParamDefault{no edge is}
+    \cgalParamDefault{no edge is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{align_border}
     \cgalParamDescription{whether all border edges must lie on lines of the grid}
@@ -207,7 +207,7 @@ with order 6, isocurves of \f$ u + v \f$ count as well.
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
 \par Complexity
-That of `seam_transitions()`, and linear in the number of faces.
+The complexity of `seam_transitions()`, and linear in the number of faces.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -225,7 +225,7 @@ Integer_grid_measure measure_integer_grid(const TriangleMesh& tmesh, HalfedgeUVM
 \ingroup PkgQuadRemeshingQuads
 
 returns whether a parametrization is an integer-grid map, exactly. Then whole cells of the grid
-cover the surface, and the extraction leaves out none of them. Orientations are not checked, but
+cover the surface, and the extraction leaves out no cell. Orientations are not checked, but
 flipped faces change the angles around their vertices.
 
 \tparam TriangleMesh as for `measure_integer_grid()`
@@ -242,7 +242,7 @@ flipped faces change the angles around their vertices.
 \throws std::runtime_error if the program was compiled with options like `-ffast-math`
 
 \par Complexity
-That of `measure_integer_grid()`.
+The complexity of `measure_integer_grid()`.
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

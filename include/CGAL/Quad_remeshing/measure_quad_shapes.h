@@ -36,8 +36,7 @@ namespace Quad_remeshing {
 /*!
 \ingroup PkgQuadRemeshingRemeshing
 
-measures the shapes of the quads of any mesh, by the same figures as `Remeshing_report`. Faces that
-are no quads are left out.
+measures the shapes of the quads of any mesh. Faces that are no quads are left out.
 
 \tparam QuadMesh a model of `FaceListGraph`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -48,7 +47,7 @@ are no quads are left out.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{the points}
+    \cgalParamDescription{the points of the vertices of `mesh`}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and a point in
                    space as value type}
@@ -56,7 +55,7 @@ are no quads are left out.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the figures; `Quad_shapes()` if no face is a quad
+\return the measurements; `Quad_shapes()` if no face is a quad
 
 \par Complexity
 Linear in the size of the mesh.

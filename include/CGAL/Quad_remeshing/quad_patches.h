@@ -79,8 +79,8 @@ The patches are the patches of `motorcycle_graph()` for the map in which each qu
 Curves start at irregular vertices, and at vertices at which borders and features end, meet, or
 turn. They run along edges, all at the same speed, and end at such vertices, at borders and
 features, and at a point that another curve has passed before. A T-junction is a vertex of one patch
-in the interior of a side of another. With `curve_stop_policy(Run_to_nodes())`, curves cross each
-other; then there are more patches, and T-junctions at features only. If a part of the surface
+in the interior of a side of another patch. With `curve_stop_policy(Run_to_nodes())`, curves cross
+each other; then there are more patches, and T-junctions at features only. If a part of the surface
 between borders and features has no start of a curve, the function chooses a vertex there.
 
 The computation is combinatorial. At the end, the function checks that each patch is a rectangle of
@@ -100,7 +100,7 @@ quads, and that each quad is in one patch.
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%edge_descriptor` as key type and `bool` as value
                    type}
-    \cgalParamDefault{no edge is}
+    \cgalParamDefault{no edge is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{curve_stop_policy}
     \cgalParamDescription{whether curves end at curves that they meet}
@@ -119,11 +119,11 @@ quads, and that each quad is in one patch.
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and an integer
                    type as value type}
-    \cgalParamDefault{that of `CGAL::get_initialized_vertex_index_map()`}
+    \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the patches; converts to `true` if and only if there are some. Otherwise, nothing is
+\return the patches; converts to `true` if and only if there are patches. Otherwise, nothing is
         written, and `Quad_patches::status` is
         - `INVALID_ARGUMENT`: there is no face, or a face is no quad;
         - `NOT_MANIFOLD`: the faces around a vertex form several fans;
@@ -187,11 +187,11 @@ the patch.
 \tparam OutputIterator a model of `OutputIterator` that takes
         `boost::graph_traits<QuadMesh>::%vertex_descriptor`
 
-\param patch one of the patches that `quad_patches()` has returned for the mesh
+\param patch a patch that `quad_patches()` has returned for the mesh
 \param mesh the mesh
 \param out receives the vertices
 
-\return the iterator behind the last one
+\return the past-the-end output iterator
 
 \par Complexity
 Linear in the number of vertices.

@@ -272,13 +272,13 @@ work is spent, the function returns the best result so far, and the message says
                       or with `minimize_number_of_quads`}
   \cgalParamNEnd
   \cgalParamNBegin{area_threshold}
-    \cgalParamDescription{closed connected components of less area are left out, except the
-                          largest one. Marching cubes and scans leave such specks. The report
-                          counts them. By default, components larger than a hundredth of the
-                          largest component are kept, too.}
+    \cgalParamDescription{the function leaves out closed connected components of less area, except
+                          the largest one. Marching cubes and scans leave such specks. The report
+                          counts them. By default, the function also keeps components that are
+                          larger than a hundredth of the largest component.}
     \cgalParamType{`double`, not negative, or a `std::optional` of it}
-    \cgalParamDefault{the area of a quad of the mean size that is wanted; `0`, which leaves out
-                      none, if quads are to be few}
+    \cgalParamDefault{the area of a quad of the wanted mean size; with
+                      `minimize_number_of_quads`, `0`, which leaves out no component}
   \cgalParamNEnd
   \cgalParamNBegin{curvature_adaptivity}
     \cgalParamDescription{by how much sizes may vary with curvature, as the ratio of the largest to
@@ -302,10 +302,10 @@ work is spent, the function returns the best result so far, and the message says
   \cgalParamNBegin{vertex_sizing_map}
     \cgalParamDescription{a property map that associates to each vertex the wanted length of edges
                           of quads there. With `target_number_of_quads`, only the ratios of the
-                          sizes count; with `target_edge_length`, they are multiples of that
+                          sizes count; with `target_edge_length`, they are multiples of this
                           length. The field is the smoothest one of the metric that is scaled by
                           the sizes, so varying sizes add cones. If `face_direction_map` gives
-                          the field, sizes are met as far as the field allows.}
+                          the field, quads have these sizes as far as the field allows.}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a number
                    as value type}
@@ -361,8 +361,8 @@ work is spent, the function returns the best result so far, and the message says
   \cgalParamNBegin{vertex_location_map}
     \cgalParamDescription{receives for each new vertex its place on the input, to interpolate
                           attributes: a face and barycentric coordinates, in the order of
-                          `CGAL::Polygon_mesh_processing::Face_location`. At an edge, any of the
-                          nearest faces may be taken. On thin plates, the face is on the same side
+                          `CGAL::Polygon_mesh_processing::Face_location`. At an edge, the face can
+                          be any of the nearest faces. On thin plates, the face is on the same side
                           as the quads, even if a face of the other side is nearer.}
     \cgalParamType{a class model of `WritablePropertyMap` with
                    `boost::graph_traits<QuadMesh>::%vertex_descriptor` as key type and
@@ -389,8 +389,8 @@ work is spent, the function returns the best result so far, and the message says
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the outcome, and figures of the result; converts to `true` if and only if the quads were
-        written. Otherwise `Remeshing_report::status` is the status of the step that failed:
+\return the outcome, and measurements of the result; converts to `true` if and only if the quads
+        were written. Otherwise `Remeshing_report::status` is the status of the step that failed:
         - `INVALID_ARGUMENT`, `NOT_TRIANGULAR`, `NOT_MANIFOLD`, `NOT_FINITE`, `SOLVER_FAILED`, and,
           at degenerate faces, `INVALID_ALIGNMENT`: as for
           `approximate_seamless_parametrization()` and, for numbers of quads, `quantize()`;
@@ -399,8 +399,8 @@ work is spent, the function returns the best result so far, and the message says
         - `NOT_POSITIVE`: faces stay flipped in the parametrization;
         - `TOO_LARGE`: there would be more quads than `maximum_number`, or features link too many
           coordinates, see `approximate_seamless_parametrization()`;
-        - `NO_FACE_GRAPH`: with `symmetry_plane`, no number of quads was found for which the quads
-          and their mirror image form a face graph;
+        - `NO_FACE_GRAPH`: with `symmetry_plane`, the function found no number of quads for which
+          the quads and their mirror image form a face graph;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `INTERNAL_ERROR`: a result failed its verification.
         .
@@ -441,8 +441,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
 makes the quads of a quantization, and moves their vertices as the other overload does.
 
 If border edges lie on no isocurve, two sides of quads follow each of them. The function then
-changes edges next to the border until as many quads meet at each border vertex as its angle asks
-for.
+changes edges next to the border until the number of quads at each border vertex fits its angle.
 
 \tparam TriangleMesh as for the other overload
 \tparam QuadMesh as for the other overload
@@ -458,8 +457,9 @@ for.
 \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters" of the other
        overload
 
-\return as the other overload, without the figures of parametrization and features. If no quads were
-        written, `Remeshing_report::status` is a status of `extract_quad_mesh()` of a quantization.
+\return as the other overload, without the measurements of parametrization and features. If no quads
+        were written, `Remeshing_report::status` is a status of `extract_quad_mesh()` of a
+        quantization.
 
 \par Complexity
 As for the extraction, and a bounded number of searches for the nearest place on `tmesh` for each

@@ -246,8 +246,8 @@ copy of the map, which rounds it, and snaps the copy; it refuses the map only if
 for that.
 
 \par Border
-A border edge that lies on no isocurve is followed by two sides of quads, whose common vertex lies
-on the edge. The report counts such edges.
+Two sides of quads run along a border edge that lies on no isocurve. Their common vertex lies on the
+edge. The report counts such edges.
 
 \par Number of quads
 If no integers exist at the wanted scale, the search starts at a finer scale and comes back as far
@@ -309,7 +309,7 @@ work.
   \cgalParamNBegin{maximum_feature_loss}
     \cgalParamDescription{the part of the length of all features, measured in the map, that may be
                           released if features force more quads than wanted. The features that
-                          force most for their length go first, until there are about as many
+                          force most quads for their length go first, until there are about as many
                           quads as wanted. The report lists them.}
     \cgalParamType{`double`, from 0 to 1}
     \cgalParamDefault{`0`: all are kept}
@@ -320,7 +320,7 @@ work.
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
-    \cgalParamDefault{no edge is}
+    \cgalParamDefault{no edge is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices of `tmesh`, for `target_edge_length`}
@@ -353,7 +353,8 @@ work.
         - `TOO_LARGE`: there would be more quads than `maximum_number`, or integers of 64 bits do
           not hold the coordinates;
         - `INTERNAL_ERROR`: the integers failed the check at the end.
-        . The message names the place and the remedy. After success, it reports quads that features
+        .
+        The message names the place and the remedy. After success, it reports quads that features
         force, released features, and border edges off isocurves.
 
 \par Complexity
@@ -444,7 +445,7 @@ indices.
 \param np2 an optional sequence of \ref bgl_namedparameters "Named Parameters" for the output, as
        for the extraction from a map
 
-\return the outcome and figures, as for the extraction from a map; `INVALID_ARGUMENT` if
+\return the outcome and counts, as for the extraction from a map; `INVALID_ARGUMENT` if
         `quantization` has failed, or belongs to a mesh with another number of faces
 
 \par Complexity
@@ -491,7 +492,7 @@ Template parameters are the same as for the extraction from a map.
 \return as `extract_quad_mesh()` of a quantization, but never `NO_FACE_GRAPH`
 
 \par Complexity
-That of `extract_quad_mesh()` of a quantization.
+The complexity of `extract_quad_mesh()` of a quantization.
 
 \sa `quantize()`
 */

@@ -121,7 +121,7 @@ The function calls `snap_to_seamless()` and has its guarantees. It changes the m
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
-    \cgalParamDefault{no edge is}
+    \cgalParamDefault{no edge is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{repair_flips}
     \cgalParamDescription{how far vertices may move}
@@ -142,7 +142,7 @@ The function calls `snap_to_seamless()` and has its guarantees. It changes the m
         faces.
 
 \par Complexity
-That of `snap_to_seamless()`.
+The complexity of `snap_to_seamless()`.
 
 \sa `is_integer_grid_map()`
 */

@@ -194,14 +194,15 @@ measures how far a parametrization of a tetrahedral mesh is from an integer-grid
 An integer-grid map is an exactly seamless parametrization with these properties:
 - translations across cuts are integers;
 - singular edges lie on integer lines along a coordinate axis, and meet at integer points;
-- boundary facets, feature facets, and feature edges lie on integer planes and lines. . Such a map
-describes a mesh of hexahedra, the cells of the integer grid, which programs like HexEx extract. An
-edge is singular if the angles of the cells around it do not sum up to 360 degrees. This is so if
-the rotations around it do not multiply to the identity, or if the sum is 720 degrees or more. If a
-cell around an edge is flipped or degenerate, only the rotations count.
+- boundary facets, feature facets, and feature edges lie on integer planes and lines.
 
-The function reads transitions off the coordinates, and shares no code with the functions that make
-such maps. Parameters and exceptions are as for `measure_volume_seamlessness()`.
+Such a map describes a mesh of hexahedra, the cells of the integer grid, which programs like HexEx
+extract. An edge is singular if the angles of the cells around it do not add up to 360 degrees. This
+is so if the rotations around it do not multiply to the identity, or if the sum is 720 degrees or
+more. If a cell around an edge is flipped or degenerate, only the rotations count.
+
+The function computes transitions from the coordinates, and shares no code with the functions that
+make such maps. Parameters and exceptions are as for `measure_volume_seamlessness()`.
 
 \par Complexity
 \f$ O(n \log n) \f$ in the number \f$ n \f$ of cells, in practice linear. All cells are copied.

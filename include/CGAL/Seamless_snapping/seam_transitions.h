@@ -70,7 +70,7 @@ public:
   using vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
 
   /// an interior vertex and its index in turns by 360 / N degrees: with N = 4, 1 for a cone of 270
-  /// degrees, -1 for one of 450
+  /// degrees, -1 for a cone of 450
   using Singular_vertex = std::pair<vertex_descriptor, int>;
 
   /// \cond SKIP_IN_MANUAL
@@ -100,7 +100,7 @@ public:
   const internal::Transition_data<halfedge_descriptor>& data() const { return m_data; }
   /// \endcond
 
-  /// returns `true` if the transitions could be read off.
+  /// returns `true` if the function has found the transitions.
   explicit operator bool() const { return !m_data.refusal; }
 
   /// returns the reason for a failure, as listed for `seam_transitions()`, or no value on success.
@@ -148,7 +148,7 @@ public:
   /// returns the larger side of the bounding box of all coordinates.
   double extent() const { return m_data.extent; }
 
-  /// returns the largest violation of a transition, that is the largest component of
+  /// returns the largest violation of a transition, which is the largest component of
   /// \f$ R (\mathbf{u}(b) - \mathbf{u}(a)) - (\mathbf{u}'(b) - \mathbf{u}'(a)) \f$ over the
   /// interior edges \f$ ab \f$; with N = 3 and 6, \f$ u + v \f$ counts as a component too.
   double violation() const { return m_data.violation; }
@@ -201,9 +201,9 @@ function does not estimate.
        `target(h)`. Values of border halfedges are not read.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `tolerance`,
        `edge_is_cut_map`, `halfedge_rotation_map`, `rotational_symmetry`, and `vertex_index_map` of
-       `snap_to_seamless()`. A smaller \f$ N \f$ leaves less to guess at short edges.
+       `snap_to_seamless()`. A smaller \f$ N \f$ makes short edges easier to decide.
 
-\return the transitions, or the reason why they could not be read; test with `operator bool()`.
+\return the transitions, or the reason why the function found none; test with `operator bool()`.
         Then `Seam_transitions::failure()` is
         - `INVALID_ARGUMENT`: the tolerance is negative, or the given indices of vertices are not
           unique or out of range;

@@ -79,7 +79,7 @@ A parametrization that is exactly seamless already does not change. Otherwise, c
 constraints change only to prevent a flipped face. (0 and -0 at one vertex may become equal.) The
 function verifies the result exactly before it writes it; on failure, the map is as before.
 
-The function keeps positive faces positive where it can, and decides this exactly. If a face would
+The function keeps positive faces positive if it can, and decides this exactly. If a face would
 be flipped, the function moves one of its vertices, with all its sectors, into the kernel of its
 1-ring. If this is not possible, it searches for the closest exact solution that keeps the face.
 `Snapping_report` counts such faces, and lists the faces that the function could not save.
@@ -90,8 +90,7 @@ The method follows Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
 \tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh` and of `ReadWritePropertyMap`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tmesh the mesh. Its points in space may coincide; they are read only for a note on border
-       edges that coincide.
+\param tmesh the mesh. Its points in space may coincide.
 \param uv_map the coordinates of each corner: halfedge `h` stands for the corner of `face(h)` at
        `target(h)`. Values of border halfedges are neither read nor written. Corners at one vertex
        may share a place in memory if no cut runs between them; all other corners need their own.
@@ -105,7 +104,7 @@ The method follows Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
-    \cgalParamDefault{no edge is}
+    \cgalParamDefault{no edge is constrained}
   \cgalParamNEnd
   \cgalParamNBegin{align_border}
     \cgalParamDescription{whether all border edges are to lie on isocurves}
@@ -118,7 +117,7 @@ The method follows Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as
                    value type}
-    \cgalParamDefault{read off the uv map}
+    \cgalParamDefault{computed from the uv map}
   \cgalParamNEnd
   \cgalParamNBegin{halfedge_rotation_map}
     \cgalParamDescription{the rotation of the transition across each halfedge, if you know it: the
@@ -128,7 +127,7 @@ The method follows Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<TriangleMesh>::%halfedge_descriptor` as key type and an
                    integer type as value type}
-    \cgalParamDefault{read off the uv map}
+    \cgalParamDefault{computed from the uv map}
   \cgalParamNEnd
   \cgalParamNBegin{rotational_symmetry}
     \cgalParamDescription{the angles by which charts are turned across cuts: multiples of
@@ -203,7 +202,7 @@ The method follows Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{grid_scale}
-    \cgalParamDescription{a positive number that the coordinates are multiplied by first}
+    \cgalParamDescription{a positive factor: the function first multiplies all coordinates by it}
     \cgalParamType{`double`}
     \cgalParamDefault{1}
   \cgalParamNEnd
@@ -227,6 +226,16 @@ The method follows Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
                    `std::size_t` as value type}
     \cgalParamDefault{an automatically indexed internal map}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points in space to the vertices of `tmesh`. The
+                          function only counts border edges that coincide in space, for a note in
+                          the message.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and
+                   `%Point_3` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`; without this property, the function
+                      counts no edges}
+  \cgalParamNEnd
   \cgalParamNBegin{verbose}
     \cgalParamDescription{whether the function writes its progress to `std::cerr`}
     \cgalParamType{Boolean}
@@ -240,9 +249,10 @@ The method follows Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the status and figures. The report converts to `true` if and only if the parametrization is
-        exactly seamless and aligned. If `repair_flips` was passed and faces stay flipped, the
-        status is `FLIPS_REMAIN`, which converts to `true`. On failure, `Snapping_report::status` is
+\return the status and measurements. The report converts to `true` if and only if the
+        parametrization is exactly seamless and aligned. If `repair_flips` was passed and faces stay
+        flipped, the status is `FLIPS_REMAIN`, which converts to `true`. On failure,
+        `Snapping_report::status` is
         - `NOT_TRIANGULAR`: a face has more or less than three corners;
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
         - `NOT_SEAMLESS`: no rotation fits the two sides of an edge up to the tolerance;
@@ -263,7 +273,7 @@ The method follows Mandad and Campen \cgalCite{cgal:mc-ecstsp-19}.
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
         - `INTERNAL_ERROR`: the result failed its verification, or `uv_map` does not keep the values
           that the function writes (for example, because it stores `float`s). The function has then
-          written the old coordinates back.
+          restored the old coordinates.
         .
         The message names the place and the remedy.
 

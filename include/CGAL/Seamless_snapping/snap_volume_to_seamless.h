@@ -52,9 +52,9 @@ facet, one coordinate is constant; along each feature edge, two are. All coordin
 floating point numbers.
 
 The mesh may have any number of components of any topology, with or without boundary. Components may
-touch along edges and at vertices. Charts may be arranged in any way. The function reads cuts,
-rotations, singular curves, and alignments off the coordinates. If several rotations fit a thin
-facet equally well, the facets around its edges decide.
+touch along edges and at vertices. Charts may be arranged in any way. The function computes
+cuts, rotations, singular curves, and alignments from the coordinates. If several rotations fit a
+thin facet equally well, the facets around its edges decide.
 
 The result approximates the least-squares optimum: the exact parametrization that minimizes the sum
 of squared changes of the sectors (see \ref SSnappingVolumesMethod). A parametrization that is exact
@@ -121,7 +121,7 @@ as before.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{grid_scale}
-    \cgalParamDescription{a positive number that the coordinates are multiplied by first}
+    \cgalParamDescription{a positive factor: the function first multiplies all coordinates by it}
     \cgalParamType{`double`}
     \cgalParamDefault{1}
   \cgalParamNEnd
@@ -169,13 +169,12 @@ as before.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the status and figures. The report converts to `true` if and only if the parametrization is
-        exactly seamless and aligned. If `repair_flips` or `integer_grid` was
+\return the status and measurements. The report converts to `true` if and only if the
+        parametrization is exactly seamless and aligned. If `repair_flips` or `integer_grid` was
         passed and cells stay flipped, the status is `FLIPS_REMAIN`, which converts to `true`. For
         volumes, the faces and edges of `Snapping_report` are cells and facets, nodes are the
         vertices in the constraint system, and branches are sheets of cut facets and levels of
-        aligned facets. On failure,
-        `Snapping_report::status` is
+        aligned facets. On failure, `Snapping_report::status` is
         - `NOT_MANIFOLD`: a facet belongs to more than two cells, or two cells have the same
           vertices and no neighbors were given;
         - `NOT_FINITE`: a coordinate is NaN, infinite, or beyond 1e300;
@@ -195,17 +194,17 @@ as before.
           a coordinate is beyond \f$ 2^{46} \f$, or
           \f$ 2^{17} \f$ for `float`s;
         - `INEXACT_ARITHMETIC`: the program was compiled with options like `-ffast-math`;
-        - `INTERNAL_ERROR`: the result failed its verification; or `uvw_map` does not keep what is
-          written to it, and the old coordinates have been written back.
+        - `INTERNAL_ERROR`: the result failed its verification; or `uvw_map` does not keep the
+          values that the function writes. The function has then restored the old coordinates.
         .
         The message names the place and the remedy.
 
 \par Orientation
 Cells can list their vertices in either orientation. The orientation of most cells of a component
 counts, or the orientation of the first cell if there is no majority. If a component is not
-orientable, each cell keeps its own. A cell is flipped if its orientation in the domain differs from
-the orientation of most cells of its component. A component that is mirrored as a whole has no
-flips.
+orientable, each cell keeps its orientation. A cell is flipped if its orientation in the domain
+differs from the orientation of most cells of its component. A component that is mirrored as a whole
+has no flips.
 
 Cells keep their orientation if a move of one of their vertices allows it. Vertices of more than
 2,000 cells do not move for this. `Snapping_report::lost_faces` lists the cells that had the
@@ -215,8 +214,8 @@ vertex.
 
 \par Charts
 If components have many charts, for example one for each hexahedron, the function joins these charts
-to keep the system small: if there are more than 32 charts, not counting one for each component. The
-result then only comes close to the least-squares optimum.
+to keep the system small. It does so if there are more than 32 charts, not counting one for each
+component. The result then only comes close to the least-squares optimum.
 
 \par Complexity
 Linear in the number of cells, with a constant of a few passes over the facets. In addition, sparse
@@ -263,7 +262,7 @@ struct Triangulation_cells
   /// per cell: the four cells opposite to its vertices, by number, or -1; for the named parameter
   /// `cell_neighbors`
   std::vector<std::array<std::int32_t, 4> > neighbors;
-  /// the facets of the complex with a cell on both sides, such as those between subdomains, by
+  /// the facets of the complex with a cell on both sides, such as facets between subdomains, by
   /// numbers of vertices; for the named parameter `feature_facets`
   std::vector<std::array<std::int32_t, 3> > interfaces;
   /// the edges of the complex, by numbers of vertices; for the named parameter `feature_edges`

@@ -102,7 +102,7 @@ numbers of patches and curves, or zero.
 \pre the vertices of all hexahedra, quadrilaterals, and edges exist
 
 \par Complexity
-That of sorting the edges and faces.
+\f$ O(n \log n) \f$ in the number \f$ n \f$ of hexahedra, for sorting edges and faces.
 */
 template <typename Target>
 File_status write_OVM(Target&& output, const Hexahedral_mesh& mesh)

@@ -29,8 +29,8 @@ namespace Hexahedral_meshing {
 /*!
 \ingroup PkgHexahedralMeshingRef
 
-The report of `hexahedral_mesh()`: the report of the extraction, how the integers were found, and
-the shapes. Converts to `bool`: `true` if and only if the mesh was written.
+The report of `hexahedral_mesh()`: the report of the extraction, the scales that were tried, and the
+shapes. Converts to `bool`: `true` if and only if the mesh was written.
 */
 struct Hexahedral_meshing_report
   : public Hexahedra_report
@@ -39,8 +39,8 @@ struct Hexahedral_meshing_report
   std::size_t number_of_attempts = 0; ///< the number of scales that the function tried
   /// why the first scale failed; empty if it did not
   Message reason_for_more;
-  Hexahedron_shapes shapes_before; ///< of the hexahedra as the map has them
-  Hexahedron_shapes shapes;        ///< of the result
+  Hexahedron_shapes shapes_before; ///< the shapes before vertices moved
+  Hexahedron_shapes shapes;        ///< the shapes of the result
 };
 
 } // namespace Hexahedral_meshing

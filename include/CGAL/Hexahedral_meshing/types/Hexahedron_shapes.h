@@ -35,11 +35,11 @@ three axes. It is 1 for cubes and boxes.
 */
 struct Hexahedron_shapes
 {
-  std::size_t number_of_hexahedra = 0; ///< all
-  double least_scaled_jacobian = 1;    ///< of all hexahedra
+  std::size_t number_of_hexahedra = 0; ///< the number of all hexahedra
+  double least_scaled_jacobian = 1;    ///< the least of all hexahedra
   double mean_scaled_jacobian = 1;     ///< the arithmetic mean
   /// the number of hexahedra whose scaled Jacobian is between `i / 10` and `(i + 1) / 10`. The
-  /// first number includes negative ones.
+  /// first number includes negative scaled Jacobians.
   std::array<std::size_t, 10> number_by_tenths{};
   /// hexahedra with a corner that is not positive: the determinant of its edges is zero or
   /// negative, exactly

@@ -30,10 +30,10 @@ namespace Isocurves_and_layouts {
 \ingroup PkgIsocurvesAndLayoutsTracing
 
 The directions of isocurves in a chart: along \f$ +u, +v, -u, -v \f$, and in the lattice
-coordinates of `Rotational_symmetry` also along \f$ v - u \f$ and \f$ u - v \f$. There, `PLUS_U`,
-`PLUS_V`, `MINUS_U_PLUS_V`, `MINUS_U`, `MINUS_V`, and `PLUS_U_MINUS_V` are 60 degrees apart, in this
-order. In a face that is flipped in the domain a direction tells the sides: at the left of `PLUS_U`,
-seen on the surface, \f$ v \f$ is larger.
+coordinates of `Rotational_symmetry` also along \f$ v - u \f$ and \f$ u - v \f$. In lattice
+coordinates, `PLUS_U`, `PLUS_V`, `MINUS_U_PLUS_V`, `MINUS_U`, `MINUS_V`, and `PLUS_U_MINUS_V` are 60
+degrees apart, in this order. In a face that is flipped in the domain a direction tells the sides:
+at the left of `PLUS_U`, seen on the surface, \f$ v \f$ is larger.
 */
 enum class Isocurve_direction
 {
@@ -74,7 +74,7 @@ the failures that Mandad and Campen \cgalCite{cgal:mc-ecstsp-19} list.
 */
 enum class Isocurve_status
 {
-  CONTINUES,        ///< it goes on; only `Isocurve_walker::advance()` returns this
+  CONTINUES,        ///< the curve goes on; only `Isocurve_walker::advance()` returns this
   TARGET,           ///< it has met a vertex that was given
   SINGULAR_VERTEX,  ///< it has met a singular vertex, or a border vertex (of 360 degrees or more)
                     ///< at which several continuations are straight
@@ -84,7 +84,7 @@ enum class Isocurve_status
   MAXIMUM_LENGTH,   ///< it has become as long as was allowed, or longer by a part of a face
   CONSTANT_ON_FACE, ///< it has met degenerate faces on which its coordinate is constant
   NOT_EXACT,        ///< the parametrization is not exactly seamless, so that nothing was traced
-  STUCK_AT_CUT,     ///< behind a cut edge it points back onto the edge, for ever
+  STUCK_AT_CUT,     ///< behind a cut edge, it points back onto the edge, again and again
   FELL_INTO_GAP,    ///< the place behind a cut edge lies beside the edge
   NO_WAY_OUT,       ///< no direction leads on from a regular vertex
   SEVERAL_WAYS_OUT, ///< several directions lead on from a regular vertex
@@ -147,8 +147,8 @@ inline std::ostream& operator<<(std::ostream& os, const Isocurve_status status)
 /*!
 \ingroup PkgIsocurvesAndLayoutsLayouts
 
-The stop policy of motorcycle graphs: each curve ends at the first curve that it meets, be it
-itself.
+The stop policy of motorcycle graphs: each curve ends at the first curve that it meets, which can be
+the curve itself.
 */
 struct Stop_at_curves
 {

@@ -33,8 +33,8 @@ namespace Linear_snapping {
 /*!
 \ingroup PkgLinearSnappingRef
 
-The size of the linear system that a snapping function solved, and figures of its elimination. They
-are sums over the independent components of the system, or the maximum of all components.
+The size of the linear system that a snapping function solved, and measurements of its elimination:
+sums over the independent components of the system, or maxima.
 */
 struct Linear_solver_figures
 {
@@ -45,10 +45,10 @@ struct Linear_solver_figures
   std::size_t number_of_non_unit_pivots = 0;
   std::size_t number_of_coefficients = 0;            ///< nonzero coefficients of the rows
   std::size_t number_of_eliminated_coefficients = 0; ///< nonzero coefficients after the elimination
-  /// eliminations of the matrix; one, however often it is solved for other values
+  /// eliminations of matrices; a matrix that is solved for several values is eliminated once
   std::size_t number_of_eliminations = 0;
-  std::size_t coefficient_bits = 0; ///< bits of the largest coefficient met during the elimination
-  double largest_coefficient = 0;   ///< its absolute value, rounded
+  std::size_t coefficient_bits = 0; ///< bits of the largest coefficient during the elimination
+  double largest_coefficient = 0;   ///< the absolute value of this coefficient, rounded
   double largest_pivot = 0;         ///< the largest absolute value of a pivot, rounded
   bool multiprecision = false;      ///< whether the elimination needed more than 64 bits
 };
@@ -60,8 +60,9 @@ The report of `snap_to_linear_constraints()`: the outcome, the place and remedy 
 how far the values moved. It converts to `true` if and only if all constraints hold exactly in the
 values of the caller.
 
-Lengths are in the units of the values; divide by `extent` for relative ones. Figures of a step that
-was not reached are zero.
+Lengths are in the units of the values; divide by `extent` for relative lengths. Measurements of a
+step that was not reached are zero. For surfaces and volumes, `Snapping_report` tells what the
+members mean.
 */
 struct Linear_report
   : public Report
@@ -72,9 +73,7 @@ struct Linear_report
 
   /*!
   After `INCONSISTENT`: the constraints that contradict each other, as pairs of a row and a nonzero
-  multiplier. The sum of these multiples of the rows reads \f$ 0 = c \f$ with \f$ c \ne 0
-  \f$. For surfaces and volumes, the rows belong to an internal system; `message` names the
-  constraints of the caller.
+  multiplier. The sum of these multiples of the rows reads \f$ 0 = c \f$ with \f$ c \ne 0 \f$.
   */
   std::vector<std::pair<std::size_t, CGAL::Exact_integer> > certificate;
 
@@ -83,33 +82,26 @@ struct Linear_report
   /// unknown with other parts.
   /// @{
 
-  /// the largest absolute value in a constraint; for a surface or volume, the largest side of the
-  /// bounding box of the coordinates
-  double extent = 0;
-  /// the largest violation of a constraint by the input; for surfaces and volumes, of a transition
-  /// (along two edges of a facet) or an alignment
-  double violation_before = 0;
-  double largest_change = 0;    ///< the largest absolute change of a value
-  /// the mean absolute change (of each sector, for surfaces and volumes; of each corner of a
-  /// surface with `integer_grid` or `grid_scale`)
-  double mean_change = 0;
-  double rms_change = 0;        ///< the root-mean-square change, over the same values
-  /// the root-mean-square change of the real-valued least-squares optimum that was approximated; 0
-  /// for volumes, and with `integer_grid` or `grid_scale`
+  double extent = 0;           ///< the largest absolute value in a constraint
+  double violation_before = 0; ///< the largest violation of a constraint by the input
+  double largest_change = 0;   ///< the largest absolute change of a value
+  double mean_change = 0;      ///< the mean absolute change of a value
+  double rms_change = 0;       ///< the root-mean-square change of a value
+  /// the root-mean-square change of the real-valued least-squares optimum
   double optimal_rms_change = 0;
   /*!
-  for `snap_to_linear_constraints()`: the distance of the result from the input, divided by the
-  distance of the optimum or the spacing of numbers of the values' size, whichever is larger; the
-  maximum over the parts of the system. Values up to 10 are usual. If it exceeds 10, `message` says
-  that the result is far, because few numbers solve the part or because they are hard to find.
+  the distance of the result from the input, divided by the distance of the optimum or the spacing
+  of numbers of the values' size, whichever is larger; the maximum over the parts of the system.
+  Values up to 10 are usual. If it exceeds 10, `message` says that the result is far, because few
+  numbers solve the part or because they are hard to find.
   */
   double distance_ratio = 0;
   /// the spacing of the grid of the constrained values; the coarsest spacing, if there are several
-  /// grids; 0 if no value is constrained, for example if corners of a surface are only merged
+  /// grids; 0 if no value is constrained
   double grid_step = 0;
   /// @}
 
-  Linear_solver_figures linear_solver; ///< figures of the linear system
+  Linear_solver_figures linear_solver; ///< measurements of the linear system
   /// the steps in the order in which they were made, with their wall-clock times in seconds
   std::vector<std::pair<std::string, double> > step_times;
 };

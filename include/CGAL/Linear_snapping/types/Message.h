@@ -53,7 +53,7 @@ public:
   struct Part
   {
     Kind kind;             ///< its kind
-    std::string words;     ///< the words; of an element: its noun, or nothing after another one
+    std::string words;     ///< the words; of an element: its noun, or nothing after another element
     std::size_t index = 0; ///< the index of an element
   };
 

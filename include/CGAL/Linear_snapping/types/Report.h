@@ -49,14 +49,14 @@ enum class Outcome
   /// cells; or the faces of a soup are no oriented surface
   NOT_MANIFOLD,
   NOT_FINITE,         ///< a value is NaN or infinite; or a coordinate of a mesh is beyond 1e300
-  NOT_SEAMLESS,       ///< the sides of an edge differ, when snapping by more than the tolerance
+  NOT_SEAMLESS,       ///< the sides of an edge differ; for snapping, by more than the tolerance
   NOT_POSITIVE,       ///< faces are flipped or degenerate in the domain
-  /// an edge that is to lie on an isocurve does not, when snapping by more than the tolerance
+  /// an edge that is to lie on an isocurve does not; for snapping, by more than the tolerance
   NOT_ALIGNED,
   /// a connection or cycle constraint misses by more than its tolerance
   NOT_CONNECTED,
-  /// a translation, a cone, or an aligned edge is not where an integer-grid map has it, when
-  /// snapping by more than the tolerance
+  /// a translation, a cone, or an aligned edge is not at an integer; for snapping, it is farther
+  /// from its integer than the tolerance
   NOT_INTEGER,
   INVALID_ROTATIONS,  ///< the rotations given by the caller do not fit together
   INVALID_CONES,      ///< given indices do not add up to \f$ 4 \chi \f$, or one is 4 or more
@@ -64,13 +64,13 @@ enum class Outcome
   INCONSISTENT,       ///< the constraints contradict each other
   /// the constraints have solutions, but the function found none nearby in the number type
   NOT_REPRESENTABLE,
-  /// cells, pieces of curves, or the work of an elimination are more than allowed; or numbers are
-  /// too large
+  /// there are more cells or pieces of curves than allowed, an elimination takes too long, or
+  /// numbers are too large
   TOO_LARGE,
   TOO_COARSE,         ///< parts of the surface are too small for the grid to enclose them by cells
   NO_FACE_GRAPH,      ///< the cells form no face graph: they have loops or double edges
   SOLVER_FAILED,      ///< a sparse linear system could not be solved
-  INEXACT_ARITHMETIC, ///< the processor or the compiler doesn't compute as IEEE 754 says
+  INEXACT_ARITHMETIC, ///< floating point arithmetic does not follow IEEE 754
   INTERNAL_ERROR      ///< the result failed its own exact verification and was discarded
 };
 
@@ -121,7 +121,7 @@ inline std::ostream& operator<<(std::ostream& os, const Outcome outcome)
 /*!
 \ingroup PkgLinearSnappingRef
 
-The part that all reports have: the outcome, and a message with the reason and the place. It
+The base class of all reports: the outcome, and a message with the reason and the place. It
 converts to `true` if and only if the result has been written, or was there already.
 */
 struct Report

@@ -332,8 +332,8 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `align_boundary`: whether boundary facets of a volume are to lie in planes of constant
  *   coordinates (`bool`)
  * - `allow_holes`: whether cells around faces that are not positive are left out (`bool`)
- * - `border_tolerance`: how far the border of quads may leave that of the surface to have fewer
- *   corners (`double`)
+ * - `border_tolerance`: how far the border of the quads may be from the border of the surface, so
+ *   that it has fewer corners (`double`)
  * - `cell_neighbors`: the known neighbors of the cells of a volume
  * - `cone_index_map`: the index of each vertex in quarter turns, for given cones
  * - `connection_constraints`, `cycle_constraints`, `corner_constraints`: further constraints on a
@@ -345,44 +345,43 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * - `curve_stop_policy`: which curves of a layout end at a crossing
  * - `decide_exactly`: whether isocurves are traced by exact decisions (`bool`)
  * - `edge_is_cut_map`: the known cut edges
- * - `face_direction_map`: the direction that the field of crosses is to have in each face
- * - `face_location_map`: where the middle of each face of a quad mesh lies on the input
+ * - `face_direction_map`: the direction of the cross field in each face, if you prescribe it
+ * - `face_location_map`: the place on the input of the middle of each face of a quad mesh
  * - `feature_facets`, `feature_edges`: facets and edges of a volume, or edges of a soup, that are
  *   to be aligned
  * - `grid_scale`: the factor of all coordinates, applied first (`double`)
- * - `halfedge_rotation_map`: the number of turns of the transition across each halfedge, by a
- *   quarter or, with `rotational_symmetry`, by 360 / N degrees, if you know it
+ * - `halfedge_rotation_map`: the rotation across each halfedge, if you know it: a number of quarter
+ *   turns or, with `rotational_symmetry`, of turns by 360 / N degrees
  * - `halfedge_uv_map`: the coordinates of each corner, if you have a parametrization
  * - `integer_grid`: whether translations, cones, and aligned edges or facets become integers
  *   (`bool`)
  * - `largest_cone_index`: the largest index that a cone may have, in quarter turns (`int`)
  * - `least_cone_distance`: the distance up to which opposite cones of a field cancel (`double`)
- * - `maximum_feature_loss`: which part of the length of features may be released if they force
- *   quads (`double`)
+ * - `maximum_feature_loss`: the part of the length of the features that may be released if
+ *   features force quads (`double`)
  * - `maximum_length`: the length in the domain at which an isocurve ends (`double`)
- * - `minimize_number_of_quads`: whether a quantization has as few quads as are found (`bool`)
+ * - `minimize_number_of_quads`: whether a quantization has as few quads as the search finds
+ *   (`bool`)
  * - `near_distance`: for isocurves in floating point, the distance at which a curve counts as
  *   having missed a vertex, relative to the extent of the coordinates (`double`)
  * - `needs_face_graph`: whether the quads of a quantization have to form a face graph (`bool`)
  * - `number_of_untangling_iterations`: about the largest number of iterations over all faces that
- *   are spent on flipped triangles, of a parametrization under way or in the input (`unsigned int`)
+ *   repairs of flipped triangles take (`unsigned int`)
  * - `release_alignment`: whether a feature need not be aligned if it would flip triangles (`bool`)
  * - `repair_flips`: whether faces or cells that are flipped or degenerate in the input are
  *   repaired (`bool` or `Flip_repair`)
  * - `rotational_symmetry`: by which angles charts are turned across cuts (`Rotational_symmetry`)
- * - `rounding_tolerance`: the largest distance from these integers that is allowed (`double`)
+ * - `rounding_tolerance`: the largest allowed distance of a coordinate from its integer (`double`)
  * - `symmetry_plane`: the plane by which a quad mesh is to be its own mirror image
- * - `target_edge_length`: the wanted length of edges of quads, which is the length on the surface
- *   of one unit of the coordinates (`double`)
+ * - `target_edge_length`: the wanted length of edges of quads (`double`)
  * - `target_number_of_hexahedra`: about how many hexahedra a mesh has (`std::size_t`)
  * - `target_number_of_quads`: about how many quads a quantization has (`std::size_t`)
  * - `target_vertex`: the vertex at which an isocurve ends
- * - `tolerance`: the largest violation that is taken for numerical noise, relative to the extent of
- *   the coordinates (`double`)
- * - `value_weights`: one positive weight per value, in the sum of squared changes that is kept
- *   small
- * - `vertex_location_map`: where each vertex of a quad mesh lies on the input
- * - `vertex_sizing_map`: the length that edges of quads are to have at each vertex of the input
+ * - `tolerance`: the largest violation that counts as noise, relative to the extent of the
+ *   coordinates (`double`)
+ * - `value_weights`: one positive weight for each value in the sum of squared changes
+ * - `vertex_location_map`: the place on the input of each vertex of a quad mesh
+ * - `vertex_sizing_map`: the wanted length of edges of quads at each vertex of the input
  * - `weld_borders`: whether a reader joins border edges that coincide in space
  *
  * Names of \cgal: `area_threshold`, `edge_is_constrained_map`, `face_patch_map`, `maximum_number`,
@@ -391,7 +390,7 @@ using is_named_parameters = Is_named_parameters<std::remove_cv_t<std::remove_ref
  * `maximum_number` is the number of things made or visited above which a function gives up.
  *
  * The reference of each function lists the names that it reads. A call with another name does not
- * compile. A few names must come with another name, as the list says.
+ * compile. A few names require another name; the reference of the function says which.
  *
  * \note With both `using namespace CGAL` and `using namespace CGAL::Seamless_snapping`, the name
  *       `parameters` alone is ambiguous: write an alias as above.

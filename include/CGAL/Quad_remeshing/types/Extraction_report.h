@@ -44,21 +44,21 @@ struct Extraction_report
   std::size_t number_of_other_polygons = 0;
   /// pieces of cells that the border cuts off, or holes; they were left out
   std::size_t number_of_cut_cells = 0;
-  /// quads that are inverted in space: at a corner, their sides turn the other way than the quad as
-  /// a whole does, or the quad has no area, or a side no length. Decided exactly, for the points as
-  /// doubles.
+  /// quads that are inverted in space: at a corner, the sides turn against the quad as a whole, or
+  /// the area or a side is zero. This is decided exactly, for the points as doubles.
   std::size_t number_of_inverted_quads = 0;
-  /// the first of them, at most ten, counted from 0 in the order in which the faces were written
+  /// the first of these quads, at most ten, counted from 0 in the order in which the faces were
+  /// written
   std::vector<std::size_t> first_inverted_quads;
   /// @}
 
   /// \name Input
   /// @{
-  double area = 0;                  ///< of all faces, in units of one quad or one triangle
+  double area = 0;                  ///< the area of all faces, in units of one quad or triangle
   std::size_t number_of_cones = 0;  ///< interior vertices whose angle is not 360 degrees
   std::size_t number_of_cones_in_cells = 0; ///< cones between the lines of the grid
   /// border edges that lie on no line of the grid, or lead to the end of a slit that is no point of
-  /// it
+  /// the grid
   std::size_t number_of_unaligned_border_edges = 0;
   std::size_t number_of_unaligned_features = 0; ///< feature edges that lie on no line of the grid
   /// faces that are flipped or degenerate in the domain, in the order of iteration over all faces,

@@ -41,8 +41,8 @@ struct Quad_patch
   /// a halfedge of the mesh
   using halfedge_descriptor = typename boost::graph_traits<QuadMesh>::halfedge_descriptor;
 
-  halfedge_descriptor corner{}; ///< begins at a corner, and has the patch and its first row at its
-                                ///< left
+  halfedge_descriptor corner{}; ///< begins at a corner; the patch and its first row are at
+                                ///< its left
   std::size_t width = 0;        ///< the number of quads in a row
   std::size_t height = 0;       ///< the number of rows
 };

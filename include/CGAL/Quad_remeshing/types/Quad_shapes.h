@@ -40,17 +40,17 @@ struct Quad_shapes
   /// the largest ratio of the longest and the shortest side of a quad; infinite if a side has no
   /// length
   double largest_aspect_ratio = 1;
-  /// quads whose longest side is more than ten times their shortest one
+  /// quads whose longest side is more than ten times their shortest side
   std::size_t number_of_long_quads = 0;
   /// quads with a scaled Jacobian of less than 0.1, including inverted quads and quads with three
   /// corners on a line
   std::size_t number_of_thin_quads = 0;
-  /// the first of them, at most ten, counted from 0 in the order of iteration over all faces
+  /// the first of these quads, at most ten, counted from 0 in the order of iteration over all faces
   std::vector<std::size_t> first_thin_quads;
-  /// quads that are degenerate to most uses: the longest side is more than 100 times the shortest
-  /// one, or a side is shorter than a millionth of the mean side of all quads
+  /// quads that are degenerate for most uses: the longest side is more than 100 times the shortest
+  /// side, or a side is shorter than a millionth of the mean side of all quads
   std::size_t number_of_degenerate_quads = 0;
-  /// the first of them, counted like `first_thin_quads`
+  /// the first degenerate quads, counted like `first_thin_quads`
   std::vector<std::size_t> first_degenerate_quads;
 };
 

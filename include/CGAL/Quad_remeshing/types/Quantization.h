@@ -36,14 +36,14 @@ struct Quantized_surface;
 /*!
 \ingroup PkgQuadRemeshingQuantization
 
-A connected part of a surface whose quads have not the size that is wanted.
+A connected part of a surface whose quads do not have the wanted size.
 */
 struct Part_of_other_size
 {
   std::size_t face = 0;            ///< its first face, in the order of iteration over all faces
-  std::size_t number_of_quads = 0; ///< the quads that it has
-  double number_wanted = 0;        ///< the quads that it would have in the wanted size
-  /// about the quads that its cones, the corners of its border, its handles, or its features take
+  std::size_t number_of_quads = 0; ///< its number of quads
+  double number_wanted = 0;        ///< its number of quads of the wanted size
+  /// about how many quads its cones, the corners of its border, its handles, or its features need
   std::size_t number_needed = 0;
   /// whether there are more than twice as many quads as wanted, and as needed
   bool has_too_many_quads = false;
@@ -54,7 +54,7 @@ struct Part_of_other_size
 
 The result of `quantize()`: an all-quad mesh of a parametrized surface, in the form of a coarse
 triangulation whose edges are vectors of integers. `extract_quad_mesh()` makes the quads. Converts
-to `bool`: `true` if and only if there is one.
+to `bool`: `true` if and only if the function has found a quantization.
 */
 class Quantization
   : public Report
@@ -62,24 +62,24 @@ class Quantization
 public:
   /// \name Size
   /// @{
-  std::size_t number_of_quads = 0;           ///< of the mesh that it describes
-  /// the number of quads that the features force: how many fewer there would be without features.
-  /// Counted only if there are clearly more quads than wanted, by the first integers that are
-  /// tried, whether their quads are a face graph or not.
+  std::size_t number_of_quads = 0;           ///< quads of the mesh
+  /// the number of quads that the features force: there would be so many fewer without features.
+  /// The function only counts them if there are clearly more quads than wanted. It uses the first
+  /// integers that it tries, even if their quads form no face graph.
   std::size_t number_of_forced_quads = 0;
-  /// features that were released with `maximum_feature_loss`: the vertices along each, in the order
-  /// of iteration over all vertices that have faces, from 0
+  /// features that were released with `maximum_feature_loss`: the vertices along each, numbered
+  /// from 0 in the order of iteration over all vertices that have faces
   std::vector<std::vector<std::size_t> > released_features;
   /// connected parts whose quads are more than three times as long, or as short, as wanted: for
   /// example, a part that is smaller than a quad
   std::vector<Part_of_other_size> parts_of_other_size;
-  std::size_t number_of_coarse_vertices = 0; ///< of the coarse triangulation, with all cones
-  std::size_t number_of_coarse_faces = 0;    ///< of the coarse triangulation
+  std::size_t number_of_coarse_vertices = 0; ///< vertices of the coarse triangulation
+  std::size_t number_of_coarse_faces = 0;    ///< faces of the coarse triangulation
   /// @}
 
   /// \name Search
   /// @{
-  /// by how much more finely than wanted the search had to begin
+  /// the scale at which the search began, divided by the wanted scale
   double first_scale = 1;
   std::size_t number_of_moves = 0; ///< steps of the search
   /// edges of the coarse triangulation that are longer than twice the wanted length, plus one unit
@@ -96,7 +96,8 @@ public:
   std::size_t number_of_unaligned_features = 0; ///< feature edges that lie on no isocurve
   /// @}
 
-  /// returns `true` if and only if there is one, which a default-constructed one is not.
+  /// returns `true` if and only if this is a quantization; `false` for a default-constructed
+  /// object.
   explicit operator bool() const { return m_surface && Report::operator bool(); }
 
   /// \cond SKIP_IN_MANUAL

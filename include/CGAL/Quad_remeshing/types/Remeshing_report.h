@@ -36,12 +36,12 @@ namespace Quad_remeshing {
 \ingroup PkgQuadRemeshingRemeshing
 
 A feature that `quad_remesh()` has released, between two points at which it turned, ended, or met
-others.
+other features.
 */
 struct Released_feature
 {
   std::array<double, 3> source, target; ///< its ends
-  double length = 0;                    ///< on the surface
+  double length = 0;                    ///< its length on the surface
 };
 
 /*!
@@ -62,11 +62,11 @@ struct Remeshing_report
   /// are clearly more quads than wanted
   std::size_t number_of_forced_quads = 0;
   /// whether there are more than twice as many quads as wanted, although neither features nor the
-  /// topology of the surface force them; or whether that is true of one of `parts_of_other_size`.
-  /// Never with `minimize_number_of_quads`.
+  /// topology of the surface force them; or whether the same is true of one of
+  /// `parts_of_other_size`. Never with `minimize_number_of_quads`.
   bool has_too_many_quads = false;
   /// connected parts whose quads are more than three times as long, or as short, as wanted; faces
-  /// are those of the input
+  /// belong to the input
   std::vector<Part_of_other_size> parts_of_other_size;
   /// closed connected parts that were left out by `area_threshold`
   std::size_t number_of_parts_left_out = 0;
@@ -87,7 +87,7 @@ struct Remeshing_report
   /// the first of these quads, counted like `first_inverted_quads`
   std::vector<std::size_t> first_folded_quads;
   /// vertices that were moved off the surface, a feature, or the border, because quads would be
-  /// inverted otherwise
+  /// inverted or folded otherwise
   std::size_t number_of_displaced_vertices = 0;
   double largest_displacement = 0; ///< the largest distance of such a move
   /// the largest distance from the input that was found, at vertices and at points of the bilinear
@@ -109,12 +109,12 @@ struct Remeshing_report
   /// @{
   /// faces that were flipped in the approximate parametrization
   std::size_t number_of_flipped_faces = 0;
-  /// feature edges, or parts of them, that are not kept, as faces would be flipped at them, or
-  /// quads inverted
+  /// feature edges, or parts of them, that are not kept, because faces would be flipped there, or
+  /// quads inverted or folded
   std::size_t number_of_released_edges = 0;
   double length_of_released_edges = 0; ///< the sum of their lengths
-  /// how many corners of the border, with angles nearer to 90 or 270 degrees than to 180, were left
-  /// out by `border_tolerance`
+  /// corners of the border, with angles nearer to 90 or 270 degrees than to 180, that
+  /// `border_tolerance` left out
   std::size_t number_of_corners_left_out = 0;
   /// the faces that stayed flipped, in the order of iteration over all faces, from 0
   std::vector<std::size_t> remaining_flips;

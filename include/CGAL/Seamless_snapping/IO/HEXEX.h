@@ -218,7 +218,9 @@ The file consists of words, separated by blanks and line ends:
    \f$ u, v, w \f$, corner by corner;
 -# optionally the number of walls, alone in a line, and for each three vertices and a distance;
 -# optionally a line with the numbers of feature vertices, feature edges, and feature facets,
-   followed by their vertices. . Numbers may be fractions `p/q` of integers.
+   followed by their vertices.
+
+Numbers may be fractions `p/q` of integers.
 
 \tparam Source a class derived from `std::istream`, or one that converts to `std::string`
 

@@ -99,7 +99,7 @@ public:
           numbers of programs that store `float`s
 
   \par Complexity
-  That of `read_OBJ()`.
+  The complexity of `read_OBJ()`.
   */
   template <typename UVNumber = double, typename TriangleMesh, typename HalfedgeUVMap,
             typename NamedParameters = CGAL::parameters::Default_named_parameters>

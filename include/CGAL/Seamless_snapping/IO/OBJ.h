@@ -39,8 +39,8 @@ namespace IO {
 
 The function reads the statements `v` (points), `vt` (coordinates), `f` (triangles with corners
 `v/vt` or `v/vt/vn`), and `l` (polylines along edges of the mesh: the feature edges). It skips all
-others, and drops colors of points, third coordinates of textures, and normals. It adds the data to
-the content of `tmesh`, as other readers of \cgal do.
+other statements, and drops colors of points, third coordinates of textures, and normals. It adds
+the data to the content of `tmesh`, as other readers of \cgal do.
 
 Vertices and faces keep the order of the file, and `target(halfedge(f, tmesh), tmesh)` is the first
 corner of face `f`. Vertices without faces are kept, and no face is reversed. There is one
@@ -205,7 +205,7 @@ for bit.
 
 \param original a stream, or the name of the file, from which the mesh was read by `read_OBJ()`,
        into an empty mesh
-\param output the output stream, or the name of the file, which may be that of the original
+\param output the output stream, or the name of the file, which may be the name of the original
 \param tmesh the mesh, with the faces and points of the file
 \param uv_map the coordinates of the corner at the target of each halfedge that is not on the border
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` of

@@ -127,8 +127,7 @@ does not exist, or if there is no face.
 \param is the input stream; it is left at its end
 \param soup receives the mesh; stays as it was if the file is refused
 \param format `"obj"`, `"ply"`, `"off"`, or `"stl"`. By default, the function recognizes the format
-by
-       the first word of the text, or by its size for binary STL files.
+       by the first word of the text, or by its size for binary STL files.
 
 \return a status that converts to `true` if the mesh was read; otherwise it holds the reason and the
         line

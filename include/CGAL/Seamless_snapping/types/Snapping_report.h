@@ -57,8 +57,8 @@ enum class Flip_repair
 /*!
 \ingroup PkgSeamlessSnappingRef
 
-Figures of a run: sizes, and counts of repaired faces. Figures of a step that was not reached are
-zero.
+Measurements of a run: sizes, and counts of repaired faces. Measurements of a step that was not
+reached are zero.
 */
 struct Snapping_figures
 {
@@ -68,11 +68,12 @@ struct Snapping_figures
   std::size_t number_of_cut_edges = 0;    ///< interior edges whose transition is not the identity
   /// edges that are no cut, but whose sides differed in the input
   std::size_t number_of_merged_edges = 0;
-  /// edges too short to determine their rotation, which took another rotation from their
-  /// surroundings than the one that fits best
+  /// edges that are too short to determine their rotation, and that took another rotation from
+  /// their surroundings than the rotation that fits best
   std::size_t number_of_edges_decided_by_surroundings = 0;
-  /// interior vertices whose holonomy is not the identity: cones of 720 degrees, or another
-  /// multiple of 360, are not among them, but among `Seam_transitions::singular_vertices()`
+  /// interior vertices around which the rotations do not multiply to the identity. Cones of 720
+  /// degrees, or another multiple of 360, do not count; `Seam_transitions::singular_vertices()`
+  /// lists them.
   std::size_t number_of_singular_vertices = 0;
   std::size_t number_of_sectors = 0; ///< sectors at the vertices of cut, merged, and aligned edges
   std::size_t number_of_nodes = 0;   ///< vertices whose sectors enter the constraint system
@@ -90,7 +91,7 @@ struct Snapping_figures
   std::size_t number_of_lost_faces = 0;
   /// lost faces that moves of single vertices made positive again
   std::size_t number_of_faces_repaired_by_moves = 0;
-  std::size_t number_of_faces_repaired_by_program = 0; ///< lost faces, by a quadratic program
+  std::size_t number_of_faces_repaired_by_program = 0; ///< the same, by a quadratic program
   /// with `Flip_repair::UNTANGLE`: lost faces that untangling made positive again
   std::size_t number_of_faces_repaired_by_untangling = 0;
   /// with `repair_flips`: faces that were not positive in the input, and that repairs made positive
@@ -114,7 +115,19 @@ The report of functions that snap surfaces and volumes: the report of a linear s
 that lost their orientation. It converts to `true` if and only if all constraints hold exactly in
 the values of the caller.
 
-Figures of a step that was not reached are zero.
+Members of `Linear_report` have this meaning here:
+- `certificate`: its rows belong to an internal system; `message` names the constraints of the
+  caller
+- `extent`: the largest side of the bounding box of the coordinates
+- `violation_before`: the largest violation of a transition (of a volume, along two edges of a
+  facet) or of an alignment
+- `mean_change`, `rms_change`: the change of a sector; with `integer_grid` or `grid_scale`, of a
+  corner of a surface
+- `optimal_rms_change`: 0 for volumes, and with `integer_grid` or `grid_scale`
+- `distance_ratio`: not computed
+- `grid_step`: also 0 if corners are only merged
+
+Measurements of a step that was not reached are zero.
 */
 struct Snapping_report
   : public Linear_report
@@ -140,7 +153,7 @@ struct Snapping_report
   std::vector<std::size_t> remaining_flips;
   /// @}
 
-  Snapping_figures run; ///< figures of the run
+  Snapping_figures run; ///< measurements of the run
 };
 
 } // namespace Seamless_snapping

@@ -55,7 +55,7 @@ struct Connection_constraint
 
   halfedge_descriptor a; ///< the corner of `face(a)` at `target(a)`
   halfedge_descriptor b; ///< the corner of `face(b)` at `target(b)`
-  int component = 0;     ///< 0 or 1: which coordinate of corner `a`
+  int component = 0;     ///< 0 or 1: the constant coordinate of corner `a`
   std::vector<halfedge_descriptor> path; ///< from `face(a)` to `face(b)`
 };
 
@@ -72,7 +72,7 @@ struct Cycle_constraint
   using halfedge_descriptor = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
 
   halfedge_descriptor corner; ///< the corner of `face(corner)` at `target(corner)`
-  int component = 0;          ///< 0 or 1: which of its coordinates
+  int component = 0;          ///< 0 or 1: the constant coordinate of the corner
   std::vector<halfedge_descriptor> path; ///< from `face(corner)` back to `face(corner)`
 };
 
@@ -90,7 +90,7 @@ struct Corner_constraint
   {
     /// the corner of `face(corner)` at `target(corner)`
     typename boost::graph_traits<TriangleMesh>::halfedge_descriptor corner;
-    int component = 0; ///< 0 or 1: which of its coordinates
+    int component = 0; ///< 0 or 1: the coordinate of the corner
     CGAL::Exact_rational coefficient = CGAL::Exact_rational(1); ///< the coefficient
   };
 
@@ -108,8 +108,8 @@ border.
 \tparam TriangleMesh a model of `FaceGraph`
 
 \param tmesh the mesh
-\param a a halfedge of the face where the path begins
-\param b a halfedge of the face where the path ends
+\param a a halfedge of the face in which the path begins
+\param b a halfedge of the face in which the path ends
 
 \par Complexity
 Linear in the number of faces.

@@ -93,7 +93,8 @@ inline Message number_of_faces_in_words(const std::vector<std::size_t>& faces,
          name_of_face(faces.front()) + ")";
 }
 
-// What became of the orientations, in words; and in the status, where repairs were asked for.
+// Writes into the message which faces are not positive, and into the status, if repairs were asked
+// for.
 template <typename NamedParameters>
 void tell_of_faces(const NamedParameters& np, Snapping_report& report)
 {
@@ -124,7 +125,7 @@ void tell_of_faces(const NamedParameters& np, Snapping_report& report)
 }
 
 // Returns how many border edges have the same two points as another border edge. A mesh that has
-// them looks as if it was cut open: what is a seam to the user is a border to every function here.
+// such edges looks as if it was cut open: a seam of the user is a border to every function here.
 template <typename TriangleMesh, typename VertexPointMap>
 std::size_t number_of_coinciding_border_edges(const TriangleMesh& tmesh, const VertexPointMap& vpm)
 {
@@ -147,16 +148,20 @@ std::size_t number_of_coinciding_border_edges(const TriangleMesh& tmesh, const V
 }
 
 // A mesh without cuts may have been cut open: then the user's seams are borders here.
-template <typename TriangleMesh>
-void note_coinciding_border_edges(const TriangleMesh& tmesh, Snapping_report& report)
+template <typename TriangleMesh, typename NamedParameters>
+void note_coinciding_border_edges(const TriangleMesh& tmesh, const NamedParameters& np,
+                                  Snapping_report& report)
 {
-  if constexpr(CGAL::graph_has_property<TriangleMesh, CGAL::vertex_point_t>::value)
-    if(report && report.run.number_of_cut_edges == 0) {
-      const std::size_t number = number_of_coinciding_border_edges(
-        tmesh, get(CGAL::vertex_point, tmesh));
-      if(number > 0)
-        report.message = note_on_coinciding_border_edges(number);
-    }
+  const auto count = [&](const auto& points) {
+    if(const std::size_t number = number_of_coinciding_border_edges(tmesh, points); number > 0)
+      report.message = note_on_coinciding_border_edges(number);
+  };
+  if(!report || report.run.number_of_cut_edges > 0)
+    return;
+  if constexpr(is_given<NamedParameters, CGAL::internal_np::vertex_point_t>)
+    count(CGAL::parameters::get_parameter(np, CGAL::internal_np::vertex_point));
+  else if constexpr(CGAL::graph_has_property<TriangleMesh, CGAL::vertex_point_t>::value)
+    count(get(CGAL::vertex_point, tmesh));
 }
 
 // Relative to the extent of the coordinates.
@@ -243,7 +248,7 @@ Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_
   const auto given = given_transitions<Group>(tmesh, np);
   const auto options = snapping_options<Group>(tmesh, np);
   const auto add_notes = [&](Snapping_report& report) {
-    note_coinciding_border_edges(tmesh, report);
+    note_coinciding_border_edges(tmesh, np, report);
     tell_of_faces(np, report);
   };
   if constexpr(rounds || is_given<NamedParameters, CGAL::internal_np::grid_scale_t>) {

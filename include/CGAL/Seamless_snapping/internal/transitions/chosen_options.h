@@ -49,7 +49,8 @@ constexpr auto surface_parameters =
         CGAL::internal_np::repair_flips, CGAL::internal_np::rotational_symmetry,
         CGAL::internal_np::rounding_tolerance, CGAL::internal_np::tolerance,
         CGAL::internal_np::untangling_iterations, CGAL::internal_np::verbose,
-        CGAL::internal_np::vertex_index, CGAL::internal_np::visitor>;
+        CGAL::internal_np::vertex_index, CGAL::internal_np::vertex_point,
+        CGAL::internal_np::visitor>;
 
 // The parameters of `snap_volume_to_seamless()`, and of the functions that verify volumes.
 constexpr auto volume_parameters =
