@@ -152,7 +152,7 @@ template <typename TriangleMesh, typename NamedParameters>
 void note_coinciding_border_edges(const TriangleMesh& tmesh, const NamedParameters& np,
                                   Snapping_report& report)
 {
-  const auto count = [&](const auto& points) {
+  [[maybe_unused]] const auto count = [&](const auto& points) {
     if(const std::size_t number = number_of_coinciding_border_edges(tmesh, points); number > 0)
       report.message = note_on_coinciding_border_edges(number);
   };
