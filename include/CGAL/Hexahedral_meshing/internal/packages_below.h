@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Hexahedral_meshing.h>
 
-// The names of the packages below are those of this package, too.
+// The names of the packages below are also names of this package.
 
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Isocurves_and_layouts.h>
 
-// The names of the package below are those of this package, too.
+// The names of the package below are also names of this package.
 
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 

@@ -46,10 +46,10 @@ public:
     : m_run(run), m_choices(choices)
   { }
 
-  // Quantizes the map for the wanted number. Where that has more quads, and features neither force
-  // these nor are released, other maps, too: four for fewer quads, and those for more that may have
-  // less than are known already. Of few quads, those of maps with up to a quarter more than the
-  // fewest, or the wanted number, are kept to choose from. Sizes that are given need all cones.
+  // Quantizes the map for the wanted number. If the result has more quads, and features neither force
+  // them nor are released, other maps, too: four maps for fewer quads, and maps for more quads that
+  // may have fewer than the best result. If quads are few, maps with up to a quarter more quads than
+  // the fewest, or than the wanted number, stay to choose from. Given sizes need all cones.
   // Half of the work is left for the shape of quads. Returns whether there is a quantization.
   bool run()
   {
@@ -227,7 +227,7 @@ private:
     return true;
   }
 
-  // Over all faces: those that may be spent on one map.
+  // The iterations over all faces that may be spent on one map.
   std::size_t untangling_iterations(const std::size_t most) const
   {
     const double left = (std::min)(m_run.work.left(), Work::most_work) /

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// The names of the package below are those of this package, too.
+// The names of the package below are also names of this package.
 
 #include <CGAL/Isocurves_and_layouts/internal/packages_below.h>
 

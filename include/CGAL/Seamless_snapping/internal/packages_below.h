@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The names of the package below are those of this package, too.
+// The names of the package below are also names of this package.
 
 #include <CGAL/Linear_snapping/types/parameters.h>
 

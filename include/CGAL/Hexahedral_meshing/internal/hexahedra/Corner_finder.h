@@ -38,7 +38,7 @@ public:
     : m_map(map)
   { }
 
-  // \param sides those of the cell, which contains p and does not contain q
+  // \param sides the sides of the cell, which contains p and does not contain q
   // Sets the end; returns false if there is none, which is an error of ours.
   bool run(const Cell_sides& sides, const std::int32_t cell, const Uvw& p, const Uvw& q,
            Cell_point& end)

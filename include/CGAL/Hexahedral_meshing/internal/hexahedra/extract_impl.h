@@ -46,8 +46,8 @@ namespace CGAL {
 namespace Hexahedral_meshing {
 namespace internal {
 
-// The barycentric coordinates of a point in a cell, each with a small relative error; those that
-// are zero are exactly so.
+// The barycentric coordinates of a point in a cell, each with a small relative error. If one is
+// zero, it is exactly zero.
 inline std::array<double, 4> barycentric_coordinates(const Cell_sides& sides, const Cell_point& at)
 {
   constexpr double largest_error = 1e-10; // relative to the volume of the cell

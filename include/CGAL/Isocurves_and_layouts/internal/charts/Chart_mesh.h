@@ -46,8 +46,8 @@ struct Chart_corner : Flat_corner
   std::int32_t transition; // no_index: the same coordinates on both sides
 };
 
-// u' = R u + t, from the face of a halfedge to the opposite one. The translation is that of the
-// source of the halfedge, exactly; in an exactly seamless map it is also that of the target. It is
+// u' = R u + t, from the face of a halfedge to the opposite one. The translation holds
+// exactly at the source of the halfedge; in an exactly seamless map, also at the target. It is
 // stored by components: for N = 6, these are sums of three or four coordinates.
 template <typename Group>
 struct Basic_chart_transition
@@ -105,7 +105,7 @@ bool is_on_isocurve(const Basic_chart_mesh<Group>& mesh, const Corner_index h)
 using Chart_transition = Basic_chart_transition<Quarter_turns>;
 using Chart_mesh = Basic_chart_mesh<Quarter_turns>;
 
-// What adds to sign * (a component in one chart) to make it that of the same point in another one.
+// The number that turns sign * (a component in one chart) into the component in another chart.
 template <typename Group>
 typename Basic_chart_transition<Group>::Translation
 offset(const Component<Group>& from, const int sign, const Component<Group>& to)

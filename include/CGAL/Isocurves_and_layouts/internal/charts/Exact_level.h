@@ -145,7 +145,7 @@ public:
   friend double nearest_double(const Exact_level& level) { return level.m_nearest; }
 
 private:
-  // What remains of the sum of four numbers after that of the large two.
+  // The rest of the sum of four numbers after the sum of the two large numbers.
   void add_small_parts(const Exact_difference& sum, const Exact_difference& translation)
   {
     const Exact_difference rests(m_rest, -translation.error);

@@ -18,8 +18,8 @@
 // The directions of isocurves in a chart, as the rotations that turn +u into them: +u, +v, -u, -v
 // in Cartesian coordinates; +u, +v, v - u, -u, -v, u - v in lattice coordinates, 60 degrees apart.
 //
-// The group of the directions is that of N = 4 for N = 1, 2, 4, and that of N = 6 for N = 3, 6: all
-// that is templated by it is compiled for these two only.
+// The group of the directions has the order 4 for N = 1, 2, 4, and the order 6 for N = 3, 6: all
+// templates on it are compiled for these two groups only.
 
 #include <CGAL/Isocurves_and_layouts/internal/packages_below.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>

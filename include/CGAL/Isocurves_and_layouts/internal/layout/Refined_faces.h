@@ -325,8 +325,8 @@ private:
     add_cells();
   }
 
-  // Where a step begins or ends among the points of its face: those on its edges, then those
-  // inside.
+  // The index of the beginning or end of a step among the points of its face: first the points on
+  // its edges, then the points inside.
   std::int32_t local_point(const std::int32_t point, const Segment_end& end,
                            const std::array<std::int32_t, 3>& first)
   {

@@ -44,7 +44,7 @@ public:
 
   explicit Basic_exact_decisions(const Mesh& mesh) : m_mesh(&mesh) { }
 
-  // From the chart of the transition's one face to that of the other.
+  // From the chart of the first face of the transition to the chart of the second face.
   static void cross(const Basic_chart_transition<Group>& transition, State& state)
   {
     const Signed_functional constant =
@@ -75,8 +75,8 @@ public:
     return straight_ray(*m_mesh, state, around, chosen);
   }
 
-  // The ray that continues the curve straight on: the opposite one, as many to its left as to its
-  // right. In a star without folds that is the only one but that of arrival.
+  // The ray that continues the curve straight on: it has as many rays on its left as on its right,
+  // counted from the ray of arrival. In a star without folds, it is the only other ray.
   template <typename AnyLevel>
   static Isocurve_status straight_ray(const Mesh& mesh, const Walk_state<AnyLevel>& state,
                                       const Isocurve_rays& around, Vertex_ray& chosen)

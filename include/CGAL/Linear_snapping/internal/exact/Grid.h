@@ -149,7 +149,7 @@ private:
   double m_step, m_half_inverse, m_other_half_inverse;
 };
 
-// Changes the units to those of a grid 2^shift times as coarse (as fine for shift < 0). Numbers
+// Changes the units to the units of a grid 2^shift times as coarse (as fine for shift < 0). Numbers
 // that exceed 2^62 there lose their exact part.
 inline void rescale(Grid_value& v, const int shift)
 {
@@ -172,7 +172,7 @@ inline void rescale(Grid_value& v, const int shift)
   }
 }
 
-// The number of the format, that of float or double, nearest to `x`.
+// The number nearest to `x` in the format of float or double.
 inline double rounded_to(const Number_format& format, const double x)
 {
   return format.digits == std::numeric_limits<float>::digits ? rounded_to<float>(x) : x;

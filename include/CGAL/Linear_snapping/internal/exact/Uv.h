@@ -82,8 +82,8 @@ inline bool is_surely_positive(const Uv_triangle& t, const double reach)
          2.001 * reach * (a + b) + 8.01 * reach * reach + 1e-15 * a * b + 1e-300;
 }
 
-// The sign of the area, exactly. The number type is that of CGAL's own predicates where their
-// intervals can't tell; their kernel would take longer to compile than all else here.
+// The sign of the area, exactly. The number type is the one that CGAL's predicates use if their
+// intervals do not decide; CGAL's kernel would take longer to compile than all else here.
 inline CGAL::Orientation orientation(const Uv_triangle& t)
 {
   if(is_surely_positive(t, 0))

@@ -225,7 +225,7 @@ public:
   }
 
 private:
-  // Which blocks have entries between them: the lower triangle, as that of the matrix.
+  // The pairs of blocks with entries between them: the lower triangle, as in the matrix.
   // \param columns sorted by their blocks
   static Matrix matrix_of_blocks(const Matrix& matrix, const std::vector<int>& blocks,
                                  const std::vector<int>& columns, const std::size_t number)

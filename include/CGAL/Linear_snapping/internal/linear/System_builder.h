@@ -81,7 +81,7 @@ inline Certificate to_integer_multipliers(
   return result;
 }
 
-// A system in integers, and by which factors its rows differ from those the caller gave.
+// A system in integers, and the factors between its rows and the rows of the caller.
 struct Scaled_system
 {
   Integer_system system;

@@ -100,7 +100,7 @@ decltype(auto) as_constraints(const Constraints& c)
     return Linear_constraints<>(0);
 }
 
-// In place of those of the constraints.
+// Stands for a right-hand side that the constraints do not have.
 struct No_right_hand_side { };
 
 template <typename Coefficient>

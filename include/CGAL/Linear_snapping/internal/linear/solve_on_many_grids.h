@@ -38,8 +38,8 @@ namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
 
-// Weights times 2^exponents, all times the same power of two. Their range is that of the squares of
-// values within 2^(+-400).
+// Weights times 2^exponents, all times the same power of two. They are in the range of the squares
+// of values within 2^(+-400).
 inline std::vector<double> times_powers_of_two(const std::vector<double>& weights,
                                                const std::vector<long>& exponents)
 {
@@ -280,9 +280,9 @@ inline std::vector<double> relative_weights(const std::vector<double>& weights,
   return times_powers_of_two(weights, exponents);
 }
 
-// Solves a component on a grid for each of its columns: near its optimum and near that of relative
-// changes, for which small values stay small, and so have fine grids. Returns what is nearer to the
-// optimum, if there is anything.
+// Solves a component on a grid for each of its columns: near its optimum, and near the optimum of
+// relative changes, which keeps small values small, so that they have fine grids. Returns the
+// solution that is nearer to the optimum, if there is one.
 inline std::optional<std::vector<Column_solution> >
 solve_on_many_grids(const Component_solver& solver, const Component_solution& values)
 {

@@ -52,7 +52,7 @@ public:
   bool is_edge(const std::size_t d) const
   { return darts.twins[d] >= 0 && (has_cell(d) || has_cell(twin(d))); }
 
-  // The vertices of an edge: that at the origin of the dart, and that of its twin.
+  // The vertices of an edge: at the origins of the dart and of its twin.
   std::size_t origin(const Cell_vertices& vertices, const std::size_t d) const
   { return vertices.vertex(has_cell(d) ? d : next(twin(d))); }
 

@@ -40,7 +40,7 @@ struct Cell_shape
   static constexpr int cells_of_unit = is_square ? 1 : 2; // of area in the domain
   static constexpr int corners_of_unit = number_of_corners * cells_of_unit;
 
-  // From the direction of a side to that of the next one.
+  // From the direction of a side to the direction of the next side.
   static constexpr int turns_at_corner = Group::order / number_of_corners;
 
   static const char* plural() { return is_square ? "quads" : "triangles"; }
@@ -195,7 +195,7 @@ public:
   std::size_t vertex(const std::size_t d) const { return std::size_t(m_vertices[d]); }
 
 private:
-  // Numbers those of a point from the number of those before.
+  // Numbers the darts of a point from the number of the darts before.
   template <typename Is_gap>
   void add_fans(const std::size_t p, const Grid_darts& darts, const Is_gap& is_gap,
                 std::vector<Point_index>& fans)

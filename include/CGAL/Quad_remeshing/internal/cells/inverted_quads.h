@@ -47,7 +47,7 @@ Vector_in_space<Number> vector_between(const Quad_in_space& q, const std::size_t
   return result;
 }
 
-// At a corner, the area vector of its two sides times that of the whole quad, twice.
+// At a corner, twice the product of the area vectors of its two sides and of the whole quad.
 template <typename Number>
 Number corner_area(const Quad_in_space& q, const std::size_t corner,
                    const Vector_in_space<Number>& normal)

@@ -59,8 +59,8 @@ inline std::vector<std::size_t> faces_near_flips(const Triangle_surface& surface
   return result;
 }
 
-// Invariant: the unknowns of the part are those that nothing but vertices with all faces in it
-// depends on, in their order; all others keep their values.
+// Invariant: an unknown belongs to the part if only vertices with all faces in the part depend on
+// it. The unknowns of the part keep their order; all others keep their values.
 class Map_part
 {
 public:
@@ -119,7 +119,7 @@ public:
     return system.solve(right_hand_side);
   }
 
-  // Adds what the unknowns of the part change by to those of the whole.
+  // Adds the changes of the unknowns of the part to the unknowns of the whole.
   void add(const std::vector<double>& changes, std::vector<double>& unknowns) const
   {
     for(std::size_t i = 0; i < changes.size(); ++i)

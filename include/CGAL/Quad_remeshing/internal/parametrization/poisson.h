@@ -239,8 +239,8 @@ inline std::vector<double> distortion(const Triangle_surface& surface,
   return result;
 }
 
-// Raises the weights where the distortion differs from that of the neighbors, and multiplies them
-// at flipped faces and around, where raising alone takes many rounds.
+// Raises the weights of faces whose distortion differs from the distortion of their neighbors, and
+// multiplies them at flipped faces and around, where raising alone takes many rounds.
 inline void stiffen(const Triangle_surface& surface, const Surface_complex& complex,
                     const Coordinates& uv, std::vector<double>& weights)
 {

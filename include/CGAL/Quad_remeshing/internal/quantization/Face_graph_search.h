@@ -163,8 +163,8 @@ private:
     return has_changed;
   }
 
-  // Where the cheapest strip crosses an edge of the complex next to that of two quads, that edge of
-  // quads need not get longer: so each round tries another one, and the last ones none.
+  // If the cheapest strip crosses an edge of the complex next to an edge of two quads, the edge of
+  // the quads need not get longer: so each round tries another strip, and the last rounds none.
   bool move_near_by(const std::vector<Face_on_line>& faces, Strip_moves& moves) const
   {
     if(m_round >= most_rounds / 2)
@@ -278,8 +278,8 @@ private:
       climb(begin);
   }
 
-  // Numbers below those of the coarsest quantization lead to about that number, too: some of them
-  // are tried for luck, the same ones whatever is wanted.
+  // Numbers below the number of the coarsest quantization lead to about this number, too: the search
+  // tries some of them for luck, the same ones whatever the wanted number is.
   void try_smaller_numbers()
   {
     const int interval = (std::max)(steps_per_division / 4, 4 * m_stride);

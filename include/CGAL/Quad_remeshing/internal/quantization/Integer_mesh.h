@@ -181,8 +181,8 @@ inline bool is_counterclockwise(const Grid_vector& a, const Grid_vector& b)
   return sign > 0 || (sign == 0 && !are_opposite(a, b));
 }
 
-// The direction of `vector`, counterclockwise of that of `from`, which is known, by less than a
-// whole turn.
+// The direction of `vector`, which is less than a whole turn counterclockwise of the known direction
+// of `from`.
 inline Direction_at_corner find_direction(const Integer_mesh& mesh, Direction_at_corner known,
                                           Grid_vector from, const Grid_vector& vector)
 {
@@ -210,7 +210,7 @@ inline int lowest_bit(const double x)
 }
 
 // A grid of integers for each connected part of the surface. Translations and cones have to lie on
-// it, as those of a snapped map do. Other coordinates may have any bits: they are rounded to the
+// it, as in a snapped map. Other coordinates may have any bits: they are rounded to the
 // grid, the same in all charts, which changes no transition.
 class Integer_reader
 {

@@ -17,7 +17,7 @@
 
 // A triangulation of a parametrized surface that need not be a mesh: edges may be loops, and two
 // vertices may have several edges. It keeps no coordinates but the vectors along its edges, in two
-// sizes: exactly those of the map, and those in units of quads.
+// sizes: exactly as in the map, and in units of quads.
 
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
@@ -122,8 +122,8 @@ inline std::string defect(const Intrinsic_complex& complex, const Corner_index h
   return "";
 }
 
-// What is wrong with the complex, or nothing. `angles` are those around the vertices, in quarter
-// turns.
+// The defect of the complex in words, or nothing. `angles` are the angles around the vertices, in
+// quarter turns.
 inline std::string defect(const Intrinsic_complex& complex, const std::vector<int>& angles,
                           const Edge_vector vector)
 {

@@ -54,7 +54,7 @@ public:
 
   const Polygon_side& side(const std::size_t i) const { return m_sides[i]; }
 
-  // The next side. `turn` leads from the chart of its face to that of the polygon.
+  // The next side. `turn` leads from the chart of its face to the chart of the polygon.
   void add_side(const Corner_index h, const Quarter_turns::Element turn)
   {
     m_sides.push_back({m_complex.corner(h), h, turn});
@@ -66,8 +66,8 @@ public:
     corner.departure.turns = Quarter_turns::compose(corner.departure.turns, back);
   }
 
-  // Two collinear walls become one side, whose opposite is that of `linked`, which is one of both.
-  // The chart of the second one's face is that of the polygon.
+  // Two collinear walls become one side. Its opposite side is the opposite of `linked`, which is one
+  // of both. The face of the second wall has the chart of the polygon.
   void add_merged_side(const Corner_index first, const Quarter_turns::Element turn,
                        const Corner_index second, const Corner_index linked)
   {

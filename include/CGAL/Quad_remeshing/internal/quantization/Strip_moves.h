@@ -203,8 +203,8 @@ private:
     return result;
   }
 
-  // Returns the number of moves. Those along one strip are made at once, as many as gain and keep
-  // triangles positive: there are thousands where the scale is far from that wanted.
+  // Returns the number of moves. Moves along one strip are made at once, as many as gain and keep
+  // triangles positive: there are thousands if the scale is far from the wanted one.
   std::size_t improve_from(const Strip_state s)
   {
     std::size_t number = 0;

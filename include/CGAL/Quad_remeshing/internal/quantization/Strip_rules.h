@@ -223,8 +223,8 @@ private:
   static constexpr double price_of_step = 1e-6; // prefers the shorter of two strips
   static constexpr double weight_of_stretching = 2; // that of shear is 1
 
-  // How the map from a wanted triangle to that of units changes where the corner opposite to a
-  // halfedge moves by one.
+  // The change of the map from a wanted triangle to the triangle of units if the corner opposite to
+  // a halfedge moves by one.
   struct Shape
   {
     double area;
@@ -257,7 +257,7 @@ private:
                    const std::vector<Wanted_vector>& wanted) const
   { return static_cast<double>(m_complex.corner(h).units[c]) - wanted[std::size_t(h)][c]; }
 
-  // Half of the edge is that of the other face.
+  // The other half of the edge belongs to the other face.
   double cost_of_edge(const Corner_index h, const std::size_t c, const double change) const
   {
     const double part = m_complex.opposite(h) == no_index ? 1 : 0.5;

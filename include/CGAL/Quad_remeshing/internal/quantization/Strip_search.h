@@ -143,8 +143,8 @@ private:
     std::int32_t round = 0;
   };
 
-  // In one integer, as non-negative numbers are in the order of their bits: comparing takes less
-  // time than that of pairs.
+  // In one integer, because non-negative numbers are in the order of their bits: it takes less time
+  // to compare than a pair.
   struct Queued
   {
     std::int64_t bits_of_distance;
@@ -176,8 +176,8 @@ private:
   // Faces that a strip to the state, which the search has reached, may have left.
   Face_bits faces_before(const Strip_state s) const { return s == m_start ? 0 : reached(s).faces; }
 
-  // Distances grow along a strip: where they are less than that of the first one through the face,
-  // it has not passed the face yet.
+  // Distances grow along a strip: as long as they are less than the distance of the first strip
+  // through the face, the strip has not passed the face yet.
   bool may_have_passed(const Flat_face_index f, const Strip_state s) const
   {
     const Passed& passed = m_passed[std::size_t(f)];

@@ -247,7 +247,7 @@ public:
     return result;
   }
 
-  // Rounded at this very scale; else those of the next rung of a ladder.
+  // The units rounded at this very scale, or else the units of the next rung of a ladder.
   Rung find(const int ladder, const double scale)
   {
     const double height = m_rungs_per_doubling * std::log2(scale);

@@ -40,8 +40,8 @@ namespace Quad_remeshing {
 namespace internal {
 
 // Border edges that lie on no isocurve. Outside of each, a triangle with a right angle is added,
-// whose two other edges do; in space, it lies on the edge. So the border of the quads consists of
-// isocurves, and is that of the surface nevertheless.
+// whose two other edges lie on isocurves; in space, it lies on the edge. So the border of the quads
+// consists of isocurves, and is the border of the surface nevertheless.
 class Border_steps
 {
 public:
@@ -87,7 +87,7 @@ private:
     double foot; // of the height on the edge, from its source to its target
   };
 
-  // The corners of the triangle are those at the source of the edge, outside, and at the target.
+  // The corners of the triangle are at the source of the edge, outside, and at the target.
   void add_step(Integer_mesh& mesh, const Corner_index h)
   {
     const std::size_t source = mesh.source(h);

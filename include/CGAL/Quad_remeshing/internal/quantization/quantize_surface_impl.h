@@ -332,9 +332,9 @@ private:
   std::vector<Quads_needed> m_needed;
 };
 
-// Where features force quads, releases those that force most for their length. Each round may lose
-// twice as much as all before; the first one that has about as many quads as wanted is taken, or
-// else the one with the fewest.
+// If features force quads, releases the features that force most quads for their length. Each round
+// may lose twice as much as all before. The result is the first round with about as many quads as
+// wanted, or else the round with the fewest quads.
 class Feature_releaser
 {
 public:

@@ -140,7 +140,7 @@ private:
   }
 
   // The shortest go first: where they end, two others can go on as one that is long enough.
-  // \param chains those that are there, before and after
+  // \param chains the chains before the call, and after it
   void remove_shorter(const double length, const bool must_lead_nowhere,
                       std::vector<Chain>& chains)
   {

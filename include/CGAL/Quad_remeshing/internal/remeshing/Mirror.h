@@ -45,7 +45,7 @@ class Mirror
   using Point = CGAL::Simple_cartesian<double>::Point_3;
 
 public:
-  // The points where a x + b y + c z + d = 0. Those where it is positive are on the upper side.
+  // The points with a x + b y + c z + d = 0. Points with a positive sum are on the upper side.
   Mirror(const double a, const double b, const double c, const double d) : m_normal{a, b, c}
   {
     const double length = std::hypot(a, b, c);

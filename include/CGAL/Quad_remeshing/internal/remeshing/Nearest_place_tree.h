@@ -161,7 +161,7 @@ public:
     double m_squared = 0;
   };
 
-  // Calls visit(number) for the elements whose box meets that of a segment.
+  // Calls visit(number) for the elements whose box meets the box of a segment.
   template <typename Visit>
   void visit_near(const Space_segment& s, const Visit& visit) const
   {

@@ -80,7 +80,7 @@ inline bool is_thin(const double scaled_jacobian) { return scaled_jacobian < 0.1
 
 // The quad, times a power of two, so that no product of four lengths is 0 or infinite; one point if
 // it has infinite coordinates, or NaN.
-// \param exponent receives that of the power by which the result is smaller
+// \param exponent receives the exponent of the power by which the result is smaller
 inline Quad_in_space scaled_to_size(Quad_in_space q, int& exponent)
 {
   double size = 0;

@@ -47,8 +47,8 @@ class Small_parts
   : private Remeshing_types
 {
 public:
-  // \param threshold the area below which closed parts are left out; by default that of one of
-  //        `number_of_quads`, unless the part is not much smaller than the largest one
+  // \param threshold the area below which closed parts are left out; by default the area of one
+  //        of `number_of_quads`, unless the part is not much smaller than the largest one
   Small_parts(Marked_surface& surface, const std::optional<double>& threshold,
               const double number_of_quads)
     : m_surface(surface),

@@ -130,7 +130,7 @@ private:
       improve_within(longest);
   }
 
-  // The vertices of a quad, and of those around up to a number of rings.
+  // The vertices of a quad, and of the quads around it up to a number of rings.
   void collect(const Face f, const std::size_t rings)
   {
     m_vertices.clear();

@@ -95,7 +95,7 @@ public:
   // For the nearest places on the surface, which take most of the time.
   std::size_t number_of_searches() const { return m_tree.number_of_searches(); }
 
-  // Where more than a tenth of the quads are inverted, as those of a map that is much distorted:
+  // If more than a tenth of the quads are inverted, as in a map that is much distorted:
   // vertices move to the middle of their neighbors, whatever becomes of quads on the way, as long
   // as some are inverted, the mean shape gets better, and quads don't shrink to half of their area,
   // as few can, to a point in the end; at most 100 rounds.
@@ -159,8 +159,8 @@ public:
                                      [&](const Face f) { return is_inverted(quad(f)); }));
   }
 
-  // The largest distance from the surface of the vertices and of a grid of points in each quad: of
-  // its middle and those of its edges, and of more where quads are few.
+  // The largest distance from the surface of the vertices and of a grid of points in each quad: its
+  // middle and the middles of its edges, and more points if quads are few.
   double measure_distance() const
   {
     constexpr std::size_t enough_points = 100000; // in all

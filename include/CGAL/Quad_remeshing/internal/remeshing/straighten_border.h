@@ -73,8 +73,8 @@ public:
   }
 
 private:
-  // A straight one between two vertices of the border, with those in between, and the points that
-  // these come to.
+  // A straight line between two vertices of the border, with the vertices in between, and the points
+  // to which these move.
   struct Line
   {
     std::vector<Vertex> vertices;

@@ -64,7 +64,7 @@ private:
   std::size_t m_copied = 0; // up to this position
 };
 
-// Coordinates under keys from 0 to n - 1; those under one key that agree bit for bit are held once.
+// Coordinates under keys from 0 to n - 1. Equal coordinates under one key are held once.
 class Distinct_uvs
 {
 public:

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A triangle soup as a face graph, and the coordinates of its corners as those of halfedges.
+// A triangle soup as a face graph, and the coordinates of its corners as coordinates of halfedges.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/types/parameters.h>

@@ -187,7 +187,7 @@ private:
   std::vector<Sector_index> m_pinned;
 };
 
-// A complex that was read off a mesh, and the way back.
+// The complex of a mesh, and the way back.
 // Invariant: the corners of a sector are consecutive, clockwise. Sectors are made for the ends of
 // all cut, merged, and aligned edges, and for the vertices of further constraints.
 template <typename Group, typename Halfedge>

@@ -46,7 +46,7 @@ namespace internal {
 
 // The largest distance between one side of an edge, turned by a multiple of 360 / N degrees as fits
 // best, and the other side.
-// \param are_lattice whether the coordinates are those of the lattice, else Cartesian ones
+// \param are_lattice whether the coordinates are lattice coordinates, else Cartesian ones
 inline double violation_of_symmetry(const std::vector<Edge_sides>& edges, const int N,
                                     const bool are_lattice)
 {
@@ -70,7 +70,7 @@ inline double violation_of_symmetry(const std::vector<Edge_sides>& edges, const 
 
 // A sentence that names the symmetry of least order that all edges have up to the tolerance; empty
 // if there is none.
-// \param edges those that the given order does not explain, all of them
+// \param edges all edges that the given order does not explain
 // \param tolerance a distance
 // \param N the given order
 inline Message hint_on_symmetry(const std::vector<Edge_sides>& edges, const double tolerance,

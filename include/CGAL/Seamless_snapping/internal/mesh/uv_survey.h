@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The one pass over all edges of a mesh: finds the open edges, those whose two sides are not the
-// same to the bit, and checks on the way that faces are triangles and coordinates are finite. Later
+// The one pass over all edges of a mesh: finds the open edges, whose two sides are not the same to
+// the bit, and checks on the way that faces are triangles and coordinates are finite. Later
 // steps look at open edges only.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>

@@ -41,7 +41,7 @@ namespace Seamless_snapping {
 namespace internal {
 
 // What a face should look like: as in the input, unless it is flipped or a sliver there. Then no
-// shape is known but that of equal sides.
+// shape is known but the shape of equal sides.
 inline Reference_shape wanted_shape(const Domain_face& face)
 {
   constexpr double thinnest = 0.05; // height, relative to the longest edge

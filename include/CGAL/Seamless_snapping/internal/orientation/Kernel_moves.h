@@ -135,7 +135,7 @@ double longest_square(const Uv_triangle& t, const double step)
   return result;
 }
 
-// What twice the area of a face should be: that of the input. Faces that were not positive there
+// The wanted value of twice the area of a face: the value of the input. Faces that were not positive there
 // have none; they are content with a sliver.
 template <typename Group>
 double wanted_area(const Uv_triangle& input, const bool was_positive, const double step)
@@ -157,7 +157,7 @@ public:
     : m_points(points), m_angles(points), m_format(format)
   { }
 
-  // From now on, repairs of flips may leave other cones than those of the input.
+  // From now on, repairs of flips may leave other cones than the cones of the input.
   void allow_other_cones() { m_keeps_cones = false; }
 
   // Returns the faces that remain.

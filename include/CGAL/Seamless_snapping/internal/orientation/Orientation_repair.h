@@ -49,8 +49,8 @@ public:
                             std::size_t& iterations, std::size_t& faces_without_area);
 
   // \param repair_flips whether faces that are not positive in the input are to be repaired too
-  // \param iterations that the search may take; receives those that are left
-  // \param step what is done about those that remain, if anything
+  // \param iterations the iterations that the search may take; receives the rest
+  // \param step the repair of the faces that remain, if there is one
   Orientation_repair(const Cut_complex<Group>& complex, const Complex_solver<Group>& solver,
                      Point_stars& stars, const bool repair_flips, std::size_t& iterations,
                      const Untangle step = nullptr)

@@ -166,7 +166,7 @@ public:
       }
   }
 
-  // Whether `g` turns those here into those there, in one coordinate of there. Signs and swaps keep
+  // Whether `g` turns the vectors here into the vectors there, in one coordinate of there. Signs and swaps keep
   // the rounded part and the error apart, so that these can be compared one by one.
   bool match(const int g, const std::size_t c) const
   {

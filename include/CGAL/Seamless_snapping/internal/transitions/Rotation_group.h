@@ -19,8 +19,8 @@
 // Cartesian coordinates, and of 60 degrees in coordinates of the lattice basis u = a + b w, where w
 // is the unit vector at 60 degrees. In Cartesian coordinates no rotation by 60 degrees is exact:
 // sqrt(3) is irrational. Rotational symmetries of order n = 1, 2, 4 have rotations of the first
-// group, those of n = 3, 6 of the second. The order is known at run time only, so that all share
-// the code of two groups.
+// group, symmetries of order n = 3, 6 of the second. The order is known at run time only, so that
+// all share the code of two groups.
 
 #include <algorithm>
 #include <array>

@@ -15,8 +15,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// A piecewise linear map of triangles whose corners are not free: their coordinates are those of a
-// start and sums of free unknowns, so that linear constraints hold whatever the unknowns are.
+// A piecewise linear map of triangles whose corners are not free: their coordinates are the
+// coordinates of a start plus sums of free unknowns, so that linear constraints hold for any values
+// of the unknowns.
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/complex/Sparse_row.h>
@@ -50,8 +51,7 @@ struct Reference_shape
   }
 };
 
-// Invariant: points of triangles have coordinates, and those are rows of unknowns below their
-// number.
+// Invariant: points of triangles have coordinates, which are rows of unknowns below their number.
 struct Constrained_triangles
 {
   struct Triangle

@@ -115,7 +115,7 @@ private:
     return sum > many * m_map.triangles.size();
   }
 
-  // The unknowns of the triangles and of those around, in sets that have no triangle in common.
+  // The unknowns of the triangles and of the triangles around, in sets without a common triangle.
   std::vector<std::vector<std::size_t> > patches(const std::vector<std::size_t>& bad,
                                                  const Attempt& attempt) const
   {
@@ -184,7 +184,7 @@ private:
     return result;
   }
 
-  // The number of triangles that are not positive, and that of wrong angles.
+  // The numbers of triangles that are not positive, and of wrong angles.
   using Faults = std::pair<std::size_t, std::size_t>;
 
   Faults faults(const std::vector<std::size_t>& triangles) const
@@ -215,7 +215,7 @@ private:
     return result;
   }
 
-  // Values of a patch: those with the fewest faults; then those that change least.
+  // Values of a patch: first the values with the fewest faults, then the values that change least.
   struct Candidate
   {
     std::pair<Faults, FT> cost;

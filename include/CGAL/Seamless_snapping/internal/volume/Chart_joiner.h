@@ -142,7 +142,7 @@ private:
     return m_tree.size();
   }
 
-  // Makes the chart on the other side of a facet agree with that of its cell.
+  // Makes the chart on the other side of a facet agree with the chart of its cell.
   void fit(const Corner_index from)
   {
     const std::size_t i = std::size_t(m_place[std::size_t(from)]);

@@ -196,7 +196,7 @@ private:
 // Below, each vertex takes the nearest place, and charts stay where they are.
 constexpr double negligible_volume_rounding = 1e-4;
 
-// What constraints say of a volume: read off coordinates that meet them exactly, or nearly so. Its
+// The constraints of a volume, computed from coordinates that meet them exactly, or nearly so. Its
 // parts refer to each other.
 struct Volume_structure
 {
@@ -217,7 +217,7 @@ struct Volume_structure
   Volume_structure& operator=(const Volume_structure&) = delete;
 };
 
-// Adds the edges that an integer-grid map has on integer lines to those that are to be aligned. A
+// Adds the edges that an integer-grid map has on integer lines to the edges that are to be aligned. A
 // refusal names what no integer grid fits.
 inline std::optional<Refusal> add_grid_edges(Flat_volume& volume)
 {
@@ -251,7 +251,7 @@ public:
   { }
 
   // Moves the coordinates of all corners where they have to. Returns why that fails, if so.
-  // \param rounded those of the volume
+  // \param rounded the rounded coordinates of the volume
   std::optional<Refusal> run(std::vector<Uvw>& rounded)
   {
     const Volume_transitions& transitions = m_structure.transitions;
