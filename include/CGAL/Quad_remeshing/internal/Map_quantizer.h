@@ -46,11 +46,12 @@ public:
     : m_run(run), m_choices(choices)
   { }
 
-  // Quantizes the map for the wanted number. If the result has more quads, and features neither force
-  // them nor are released, other maps, too: four maps for fewer quads, and maps for more quads that
-  // may have fewer than the best result. If quads are few, maps with up to a quarter more quads than
-  // the fewest, or than the wanted number, stay to choose from. Given sizes need all cones.
-  // Half of the work is left for the shape of quads. Returns whether there is a quantization.
+  // Quantizes the map for the wanted number. If the result has more quads, and features neither
+  // force them nor are released, other maps, too: four maps for fewer quads, and maps for more
+  // quads that may have fewer than the best result. If quads are few, maps with up to a quarter
+  // more quads than the fewest, or than the wanted number, stay to choose from. Given sizes need
+  // all cones. Half of the work is left for the shape of quads. Returns whether there is a
+  // quantization.
   bool run()
   {
     constexpr int most_lower = 4; // rungs below the wanted one

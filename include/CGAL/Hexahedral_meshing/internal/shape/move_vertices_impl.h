@@ -200,8 +200,8 @@ private:
     return has_moved;
   }
 
-  // The new place of v on the way to a target. It is the old place if the nearest point of its patch
-  // or curve is so far away that another part of the patch or curve may be as near.
+  // The new place of v on the way to a target. It is the old place if the nearest point of its
+  // patch or curve is so far away that another part of the patch or curve may be as near.
   Uvw place(const std::int32_t v, const Uvw& target)
   {
     const Freedom& freedom = m_freedoms[std::size_t(v)];

@@ -117,8 +117,8 @@ Corner_index first_corner(const Basic_chart_mesh<Group>& mesh, const Corner_inde
 // The rays of a vertex; most vertices have so few that they need no memory of their own.
 using Vertex_rays = boost::container::small_vector<Vertex_ray, 8>;
 
-// Appends the rays that start at a corner, counterclockwise: directions follow each other, the first
-// after the last. In a flipped face, whose sides are exchanged, the order is descending.
+// Appends the rays that start at a corner, counterclockwise: directions follow each other, the
+// first after the last. In a flipped face, whose sides are exchanged, the order is descending.
 template <typename Group>
 void add_rays_at_corner(const Basic_chart_mesh<Group>& mesh, const Corner_index corner,
                         Vertex_rays& rays)

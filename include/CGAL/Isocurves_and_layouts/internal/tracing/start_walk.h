@@ -87,8 +87,8 @@ bool go_along_edge(const Basic_chart_mesh<Group>& mesh, typename Decisions::Stat
 }
 
 // From a point inside of the edge, whose level is known in the chart of its face. Afterwards the
-// state is at the edge that the curve crosses, at a vertex at its end, or, if `enters` is set, in the
-// face of the border edge. Returns `false` if the coordinate is constant on the face.
+// state is at the edge that the curve crosses, at a vertex at its end, or, if `enters` is set, in
+// the face of the border edge. Returns `false` if the coordinate is constant on the face.
 template <typename Decisions, typename Group>
 bool leave_edge_point(const Basic_chart_mesh<Group>& mesh, Decisions& decisions,
                       typename Decisions::State& state, bool& enters)

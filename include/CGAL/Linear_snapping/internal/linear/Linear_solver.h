@@ -39,8 +39,8 @@ class Step_timer;
 
 using Component_index = std::int32_t; // a component of a linear system; -1 for columns in no row
 
-// Invariant: each component of the rows is eliminated, once. Equal components, which are frequent in
-// meshes, share a solver.
+// Invariant: each component of the rows is eliminated, once. Equal components, which are frequent
+// in meshes, share a solver.
 class Linear_solver
 {
 public:
@@ -73,7 +73,8 @@ public:
   Certificate certificate() const;
 
   // Solves all components near the target. Each grid of the solution is the grid of the target
-  // or, if necessary, another one. Returns the first component that has no representable solution, or -1.
+  // or, if necessary, another one. Returns the first component that has no representable solution,
+  // or -1.
   // \pre is_consistent()
   Component_index solve(const Linear_target& target, Linear_solution& solution,
                         Step_timer* timer = nullptr) const;

@@ -32,8 +32,8 @@ namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
 
-// Replaces `x` by values that solve the system exactly. Values of components that hold do not change.
-// If the function refuses the system, no value changes.
+// Replaces `x` by values that solve the system exactly. Values of components that hold do not
+// change. If the function refuses the system, no value changes.
 std::optional<Refusal> snap_values(const Scaled_system& scaled, const std::vector<double>& weights,
                                    const Number_format& format, std::vector<double>& x,
                                    Linear_report& report, Step_timer& timer);

@@ -16,8 +16,8 @@
 #include <CGAL/license/Linear_snapping.h>
 
 // Code that does not depend on the caller's types is compiled in each source that calls it or, if
-// the macro is defined, only in sources that include its definition. Functions that are no templates
-// are declared in one header and defined in another one, whose name ends in `_impl.h`.
+// the macro is defined, only in sources that include its definition. Functions that are no
+// templates are declared in one header and defined in another one, whose name ends in `_impl.h`.
 
 #ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
 #define CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION

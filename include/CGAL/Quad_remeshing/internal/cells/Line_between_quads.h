@@ -111,8 +111,8 @@ private:
                           m_mesh.uv(Chart_mesh::prev(m_mesh.opposite(h))));
   }
 
-  // The faces from the face of the place on: around, or to the border and then back from there to the
-  // other border.
+  // The faces from the face of the place on: around, or to the border and then back from there to
+  // the other border.
   std::vector<Face_on_line> faces_of_line(const Place& place) const
   {
     std::vector<State> ahead, behind;

@@ -278,8 +278,8 @@ private:
       climb(begin);
   }
 
-  // Numbers below the number of the coarsest quantization lead to about this number, too: the search
-  // tries some of them for luck, the same ones whatever the wanted number is.
+  // Numbers below the number of the coarsest quantization lead to about this number, too: the
+  // search tries some of them for luck, the same ones whatever the wanted number is.
   void try_smaller_numbers()
   {
     const int interval = (std::max)(steps_per_division / 4, 4 * m_stride);

@@ -181,8 +181,8 @@ inline bool is_counterclockwise(const Grid_vector& a, const Grid_vector& b)
   return sign > 0 || (sign == 0 && !are_opposite(a, b));
 }
 
-// The direction of `vector`, which is less than a whole turn counterclockwise of the known direction
-// of `from`.
+// The direction of `vector`, which is less than a whole turn counterclockwise of the known
+// direction of `from`.
 inline Direction_at_corner find_direction(const Integer_mesh& mesh, Direction_at_corner known,
                                           Grid_vector from, const Grid_vector& vector)
 {

@@ -66,8 +66,8 @@ public:
     corner.departure.turns = Quarter_turns::compose(corner.departure.turns, back);
   }
 
-  // Two collinear walls become one side. Its opposite side is the opposite of `linked`, which is one
-  // of both. The face of the second wall has the chart of the polygon.
+  // Two collinear walls become one side. Its opposite side is the opposite of `linked`, which is
+  // one of both. The face of the second wall has the chart of the polygon.
   void add_merged_side(const Corner_index first, const Quarter_turns::Element turn,
                        const Corner_index second, const Corner_index linked)
   {

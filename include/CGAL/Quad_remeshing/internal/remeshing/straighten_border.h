@@ -73,8 +73,8 @@ public:
   }
 
 private:
-  // A straight line between two vertices of the border, with the vertices in between, and the points
-  // to which these move.
+  // A straight line between two vertices of the border, with the vertices in between, and the
+  // points to which these move.
   struct Line
   {
     std::vector<Vertex> vertices;

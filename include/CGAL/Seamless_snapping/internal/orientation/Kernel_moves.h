@@ -135,8 +135,8 @@ double longest_square(const Uv_triangle& t, const double step)
   return result;
 }
 
-// The wanted value of twice the area of a face: the value of the input. Faces that were not positive there
-// have none; they are content with a sliver.
+// The wanted value of twice the area of a face: the value of the input. Faces that were not
+// positive there have none; they are content with a sliver.
 template <typename Group>
 double wanted_area(const Uv_triangle& input, const bool was_positive, const double step)
 {

@@ -166,8 +166,8 @@ public:
       }
   }
 
-  // Whether `g` turns the vectors here into the vectors there, in one coordinate of there. Signs and swaps keep
-  // the rounded part and the error apart, so that these can be compared one by one.
+  // Whether `g` turns the vectors here into the vectors there, in one coordinate of there. Signs
+  // and swaps keep the rounded part and the error apart, so that these can be compared one by one.
   bool match(const int g, const std::size_t c) const
   {
     const std::size_t from = Group::source(g, c);

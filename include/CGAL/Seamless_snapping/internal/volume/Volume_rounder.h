@@ -217,8 +217,8 @@ struct Volume_structure
   Volume_structure& operator=(const Volume_structure&) = delete;
 };
 
-// Adds the edges that an integer-grid map has on integer lines to the edges that are to be aligned. A
-// refusal names what no integer grid fits.
+// Adds the edges that an integer-grid map has on integer lines to the edges that are to be aligned.
+// A refusal names what no integer grid fits.
 inline std::optional<Refusal> add_grid_edges(Flat_volume& volume)
 {
   const Volume_transitions transitions = Facet_transition_reader(volume).read();
