@@ -283,9 +283,10 @@ def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maxi
         int64 ``(k, 4)``: the quads, each of four rows of the points
     report : dict, if `report` is True
         measurements such as ``number_of_inverted_quads``, ``number_of_folded_quads``, and
-        ``mean_scaled_jacobian``; and places of the quads on the input: ``faces_of_vertices`` and ``weights_of_vertices``, the triangle and the
-        barycentric coordinates of the place nearest to each point; ``faces_of_quads``; and
-        ``feature_edges``, pairs of points
+        ``mean_scaled_jacobian``; ``faces_of_vertices`` and ``weights_of_vertices``, the triangle and the
+        barycentric coordinates of the place on the input that is nearest to each point;
+        ``faces_of_quads``, the same triangle for the middle of each quad; and ``feature_edges``, pairs
+        of points
 
     Raises
     ------
