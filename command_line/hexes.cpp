@@ -50,14 +50,14 @@ struct Hexahedra_options
     options.add_file("input", input);
     options.add_file("output", output);
     options.add("number", "N", number, whole_numbers(1, largest_number),
-                "make about N hexahedra, or more if cells collapse with so few (default: do not scale "
-                "the map, whose cones and translations must be near integers)");
+                "make about N hexahedra, or more if cells collapse (default: do not scale the map, whose "
+                "singular edges and translations must be near integers)");
     options.add("maximum-number", "M", most, whole_numbers(1, largest_number),
                 "the number of hexahedra above which to give up (default: 64 times N)");
     options.add("tolerance", "T", tolerance, {0, 1, true},
-                "gaps up to T are taken for noise, relative to the extent of the coordinates");
+                "gaps up to T count as noise, relative to the extent of the coordinates (default: 1e-4)");
     options.add("ignore-features", ignore_features,
-                "do not ask the features of the file to lie on the grid");
+                "features of the file need not lie on the grid");
     options.add("moving-rounds", "R", rounds, whole_numbers(0, 1e6),
                 "the largest number of rounds in which vertices move, to make hexahedra positive "
                 "(default: 20)");

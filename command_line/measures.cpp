@@ -29,7 +29,7 @@ void Seam_options::add_to(Options& options)
 void Seam_options::add_repair_to(Options& options)
 {
   options.add("repair-flips", repair_flips, "repair faces that are flipped in the domain, "
-              "by changing the coordinates around them if need be");
+              "by changing the coordinates around them if necessary");
   options.add("untangling-iterations", "N", untangling_iterations, {0, 1e9},
               "a bound on the work of repairs, in iterations over all faces (default: 400)");
 }

@@ -50,8 +50,8 @@ struct Parametrize_options
                     "Computes an exactly seamless parametrization of a mesh.\n"
                     "\n"
                     "IN is a .obj, .ply, .off, or .stl file, a file of another format that CGAL\n"
-                    "reads, or - for the standard input. The program repairs IN if need be, and says\n"
-                    "so. OUT is a .obj or .ply file, or - for the standard output, as OBJ. It has the\n"
+                    "reads, or - for the standard input. The program repairs IN if necessary, and tells\n"
+                    "how. OUT is a .obj or .ply file, or - for the standard output, as OBJ. It has the\n"
                     "points, faces, and features of IN only.\n");
     options.add_file("input", input);
     options.add_file("output", output);

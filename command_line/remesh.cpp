@@ -119,8 +119,8 @@ struct Remesh_options
                     "Makes a mesh of quads from a triangle mesh. Quads follow borders and sharp edges.\n"
                     "\n"
                     "IN is a .obj, .ply, .off, or .stl file, a file of another format that CGAL\n"
-                    "reads, or - for the standard input. The program repairs IN if need be, and says\n"
-                    "so. OUT is a .obj, .off, or .ply file, or - for the standard output, as OBJ. From\n"
+                    "reads, or - for the standard input. The program repairs IN if necessary, and tells\n"
+                    "how. OUT is a .obj, .off, or .ply file, or - for the standard output, as OBJ. From\n"
                     ".obj to .obj, the quads get texture coordinates, colors, groups, and materials;\n"
                     "from .ply to .ply, all properties that are numbers, except normals.\n");
     options.add_file("input", input);

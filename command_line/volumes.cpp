@@ -162,11 +162,11 @@ struct Volume_options
   void add_to(Options& options)
   {
     options.add("free-boundary", free_boundary,
-                "do not ask the boundary to lie in planes of constant coordinates");
+                "the boundary need not lie in planes of constant coordinates");
     options.add("ignore-features", ignore_features,
-                "do not ask the features of the file to do so");
+                "features of the file need not lie in such planes");
     options.add("integer-grid", integer_grid,
-                "ask for integers: of translations, singular edges, boundary, and features");
+                "translations, singular edges, the boundary, and features must be integers");
   }
 
   auto parameters(const Snapping::IO::HEXEX_mesh& mesh) const
@@ -385,19 +385,19 @@ void snap_volume(const Arguments& arguments)
   options.add_file("output", output);
   volume_options.add_to(options);
   options.add("tolerance", "T", volume_options.tolerance, {0, 1, true},
-              "gaps up to T are taken for noise, relative to the extent of the coordinates");
+              "gaps up to T count as noise, relative to the extent of the coordinates (default: 1e-4)");
   options.add("grid-scale", "K", scale, {0, infinity, true},
               "multiply the coordinates by K first (default: 1)");
   options.add("rounding", "D", rounding, {0, infinity},
-              "with --integer-grid: how far from integers translations and levels may be that are "
-              "rounded to them (default: 0.01)");
+              "with --integer-grid: the largest distance from integers at which translations and "
+              "levels are rounded (default: 0.01)");
   options.add("hexahedra", "N", hexahedra, {1, 1e12},
-              "make an integer grid of about N hexahedra, whatever roundings that takes; if cells are "
-              "flipped with so few, of more, up to 4 N");
-  options.add("repair-flips", repair_flips, "repair cells that are flipped in the domain, if need "
-              "be by changing the coordinates around them");
+              "make an integer grid of about N hexahedra, with roundings of any size; if cells are "
+              "flipped, try more hexahedra, up to 4 N");
+  options.add("repair-flips", repair_flips, "repair cells that are flipped in the domain, by "
+              "changing the coordinates around them if necessary");
   options.add("untangling-iterations", "N", untangling_iterations, {0, 1e9},
-              "the largest number of passes over the cells around flipped ones (default: 400)");
+              "the largest number of passes over the cells around flipped cells (default: 400)");
   options.add("overwrite", overwrite, "let OUT replace IN");
   options.add("report", "R.json", report_file, "write all measurements to a file, as JSON");
   options.exclude({"hexahedra", "grid-scale"});
