@@ -12,11 +12,11 @@ class Error(ValueError):
         What is wrong, and where.
     place : str or None
         The place alone, such as ``'face 12'``, ``'vertices 3 and 7'``, or ``'row 5 of F'``. Numbers
-        are those of rows, from 0.
+        are rows, from 0.
     remedy : str or None
         What to do about it.
     report : dict or None
-        The figures of the steps that were made, as functions return them with ``report=True``.
+        The measurements up to the failure, as functions return them with ``report=True``.
     """
 
     def __init__(self, reason, remedy=None, place=None, status="invalid argument", report=None):

@@ -58,7 +58,7 @@ def extract_quads(V, F, uv, quads=None, *, grid_scale=1, rounding=None, features
     Q : numpy.ndarray
         int64 ``(k, 4)``: the quads
     report : dict, if `report` is True
-        among others ``integers``, which tells in words where the whole numbers come from;
+        among others ``integers``, which tells the source of the whole numbers in words;
         ``number_of_inverted_quads``; ``number_of_folded_quads``, if vertices were smoothed;
         ``other_polygons``, lists of points of the faces that are no quads; and ``number_of_cut_cells``,
         pieces of cells at the border, which are left out
@@ -153,7 +153,7 @@ _KINDS = ("cone", "corner", "given", "seed", "junction")
 def layout(V, F, uv, *, features=None, base_complex=False):
     """Divide a surface into rectangles along isocurves of an exactly seamless parametrization.
 
-    Curves start at all cones and corners, and end where they meet one that has been there before.
+    Curves start at all cones and corners, and end at curves that have been there before.
 
     Parameters
     ----------
@@ -165,7 +165,7 @@ def layout(V, F, uv, *, features=None, base_complex=False):
     features : array_like, optional
         edges that are arcs, ``(k, 2)``: a coordinate must be constant along each, exactly
     base_complex : bool
-        whether curves run on where they meet others, to a cone, corner, border, or feature
+        whether curves cross each other, and run on to a cone, corner, border, or feature
 
     Returns
     -------

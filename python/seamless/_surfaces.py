@@ -136,8 +136,8 @@ def snap(F, uv, *, V=None, features=None, align_border=False, tolerance=1e-4, re
         the largest gap at a seam that counts as rounding error, relative to the extent of the
         coordinates; a larger gap raises an error
     repair_flips : bool
-        whether to repair triangles that are flipped in the plane, if need be by changing the
-        coordinates around them
+        whether to repair triangles that are flipped in the plane, by changing the coordinates around
+        them if necessary
     weld : bool
         whether to join border edges in the same place, for example of a mesh that was cut open along
         its seams

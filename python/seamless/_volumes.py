@@ -84,7 +84,12 @@ def measure_volume(T, uvw, *, feature_facets=None, feature_edges=None, align_bou
     -------
     dict
         ``exact`` tells whether all seams and alignments hold exactly, ``integer_grid`` whether this is
-        an integer-grid map; counts and lengths
+        an integer-grid map. Counts, which are exact: ``number_of_interior_facets``,
+        ``number_of_mismatched_facets`` (with different coordinates on both sides),
+        ``number_of_inexact_facets``, ``number_of_aligned_facets``, ``number_of_aligned_edges``,
+        ``number_of_misalignments``, ``number_of_flipped_cells``, ``number_of_degenerate_cells``.
+        Lengths: ``extent``, the size of the coordinates; ``violation``, the widest gap at a facet;
+        ``misalignment``, the largest change of a coordinate that should be constant.
 
     Raises
     ------
@@ -119,7 +124,7 @@ def hexahedra(V, T, uvw, hexahedra=None, *, maximum=None, feature_facets=None, f
     uvw : array_like
         coordinates of the corners, ``(m, 4, 3)``, seamless up to `tolerance`
     hexahedra : int, optional
-        about how many hexahedra to make, or more if cells collapse with so few. By default, the
+        about how many hexahedra to make, or more if cells collapse. By default, the
         coordinates are not scaled, and must be near whole numbers.
     maximum : int, optional
         the number of hexahedra above which to give up; 64 times `hexahedra` by default
