@@ -110,7 +110,7 @@ void append_hexahedra(const Hexahedral_mesh& mesh, PointRange& points, Hexahedro
   }
 }
 
-// Where each vertex lies: corners in the caller's order.
+// The place of each vertex: corners in the caller's order.
 template <typename LocationMap>
 void put_locations(const Extraction& extraction, const std::size_t first,
                    const LocationMap& location_map)

@@ -38,7 +38,7 @@ namespace Isocurves_and_layouts {
 
 namespace internal {
 
-// Where a member function hides the one of the mesh.
+// For places at which a member function hides the function of the mesh.
 template <typename TriangleMesh, typename Halfedge>
 auto face_of_halfedge(const Halfedge h, const TriangleMesh& tmesh)
 {

@@ -353,7 +353,7 @@ struct Curve_meeting
 
 namespace internal {
 
-// What the caller says of vertices; empty if nothing.
+// The vertices that the caller has given as nodes; empty if there are none.
 template <typename TriangleMesh, typename NamedParameters>
 std::vector<char> constrained_vertices(const Flat_numbering<TriangleMesh>& numbering,
                                        const NamedParameters& np)

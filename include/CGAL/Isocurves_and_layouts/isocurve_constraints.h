@@ -253,7 +253,7 @@ Isocurve<TriangleMesh> trace_connection(const Isocurve_tracer<TriangleMesh, D>& 
                                  .maximum_length(1.001 * std::abs(change)));
 }
 
-// Where the isocurve of a connection ends, if it does not arrive; else empty.
+// The end of the isocurve of a connection in words, if it does not arrive; else empty.
 // \param point the distance of ends that may have become one point, with nothing between
 // \pre the map is exact
 template <typename TriangleMesh, int D, typename VertexIndexMap>

@@ -202,7 +202,7 @@ void write_coordinates(const Flat_numbering<TriangleMesh>& numbering,
   }
 }
 
-// What is known of the transitions, for callers that give maps for it.
+// Writes the transitions for callers that give maps for them.
 template <typename TriangleMesh, typename NamedParameters>
 void write_transitions(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
                        const Triangle_surface& surface, const Parametrization_result& result,

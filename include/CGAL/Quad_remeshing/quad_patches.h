@@ -43,7 +43,7 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// What keeps a mesh from being divided, if so.
+// The reason for which a mesh can't be divided, if there is one.
 template <typename QuadMesh, typename NamedParameters>
 std::optional<Refusal> defect_of_quads(const QuadMesh& mesh, const NamedParameters& np)
 {

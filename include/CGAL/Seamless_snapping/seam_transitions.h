@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What a uv map says about itself: which edges are cuts, how charts are rotated across them, and
-// which vertices are singular.
+// The seams of a uv map: its cut edges, the rotations of charts across them, and its singular
+// vertices.
 
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>

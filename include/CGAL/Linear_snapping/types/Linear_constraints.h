@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// What a caller fills in: a sparse system of linear equations, row by row.
+// A sparse system of linear equations, which a caller fills in row by row.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/assertions.h>

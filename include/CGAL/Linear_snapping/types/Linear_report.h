@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// What snapping to linear constraints returns: whether the result is exact and, if not, why; the
-// size of the system; how far the values moved; where the time went.
+// The result of snapping to linear constraints: whether it is exact and, if not, the reason; the
+// size of the system; the changes of the values; the times of the steps.
 
 #include <CGAL/Linear_snapping/types/Report.h>
 

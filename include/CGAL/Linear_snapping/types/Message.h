@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Linear_snapping.h>
 
-// What a report says. Elements, parameters, and remedies are data in it, so that programs that call
-// them by other names make a sentence of the same data, and search no text.
+// The message of a report. Elements, parameters, and remedies are data in it, so that programs with
+// other names for them make a sentence of the same data, and search no text.
 
 #include <algorithm>
 #include <cstddef>

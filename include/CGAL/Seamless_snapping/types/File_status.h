@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What the functions that read and write files return.
+// The result of functions that read and write files.
 
 #include <CGAL/Linear_snapping/types/Message.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>

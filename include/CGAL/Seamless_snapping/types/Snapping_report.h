@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What functions return that snap surfaces and volumes: beside the report of their linear system,
-// what was found on the surface, and what became of its faces. And what they are to do about faces
+// The results of functions that snap surfaces and volumes: the report of their linear system, the
+// sizes of the surface, and the orientations of its faces. And the choices of repairs for faces
 // that are flipped in the input.
 
 #include <CGAL/Linear_snapping/types/Linear_report.h>

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What `measure_volume_seamlessness()` and `measure_volume_integer_grid()` return.
+// The results of `measure_volume_seamlessness()` and `measure_volume_integer_grid()`.
 
 #include <cstddef>
 

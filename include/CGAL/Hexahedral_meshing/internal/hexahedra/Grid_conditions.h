@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Hexahedral_meshing.h>
 
-// What a map has to satisfy so that it describes hexahedra, checked exactly: each refusal names the
-// first place and the remedy.
+// The conditions on a map that describes hexahedra, checked exactly: each refusal names the first
+// place and the remedy.
 
 #include <CGAL/Hexahedral_meshing/internal/packages_below.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>

@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Hexahedral_meshing {
 namespace internal {
 
-// Where a vertex may move.
+// The places to which a vertex may move.
 struct Freedom
 {
   enum Kind { INSIDE, ON_PATCH, ON_CURVE, FIXED };

@@ -52,7 +52,7 @@ Direction reversed(const Direction direction)
   return turned<Group>(direction, Group::element(Group::order / 2));
 }
 
-// What a direction is made of: one component runs along it, another one is constant and grows or
+// The parts of a direction: one component runs along it, another one is constant and grows or
 // falls to its left. Components are the functionals of the group: u, v, and u + v for N = 6, where
 // +v has u + v as its running one. So a transition takes each of both to that behind it.
 struct Axes

@@ -41,7 +41,7 @@ namespace CGAL {
 namespace Isocurves_and_layouts {
 namespace internal {
 
-// Where a curve is.
+// The position of a curve.
 struct Curve_position
 {
   Curve_index curve = no_index;
@@ -128,7 +128,7 @@ public:
   // Segments that were walked, of all curves but walls.
   std::size_t number_of_segments() const { return m_number_of_segments; }
 
-  // What has taken place, in the order of time. Several may be at one point.
+  // The meetings that have taken place, in the order of time. Several may be at one point.
   std::vector<const Meeting*> crossings() const
   {
     std::vector<const Meeting*> result;
@@ -411,7 +411,7 @@ private:
       m_curves[first.curve].twice_length = meeting.twice_time;
   }
 
-  // Where one of them has ended before, the other one runs on to its end, but no further.
+  // If one of them has ended before, the other one runs on to its end, but no further.
   void meet_head_on(Meeting meeting)
   {
     const bool comes_first = reaches(meeting.first.curve, meeting.twice_time);
@@ -429,7 +429,7 @@ private:
     }
   }
 
-  // Where one of them has ended before, the other one runs on.
+  // If one of them has ended before, the other one runs on.
   void meet_at_vertex(const Meeting& meeting)
   {
     const Curve_index a = meeting.first.curve, b = meeting.second.curve;

@@ -149,8 +149,8 @@ inline bool is_straight_wall(const Layout_domain& domain, const std::size_t v)
   return rays.size() == 4 && walls == 2 && sum % 2 == 0;
 }
 
-// Where the geometry asks for curves. `is_given` tells of vertices whether the caller does, or is
-// empty.
+// The vertices at which the geometry asks for curves. `is_given` marks vertices at which the caller
+// does, or is empty.
 // \pre the walls are marked, and lie on isocurves
 inline void mark_starts(const std::vector<char>& is_given, Layout_domain& domain)
 {
@@ -170,7 +170,7 @@ inline void mark_starts(const std::vector<char>& is_given, Layout_domain& domain
 // cones: each gets one vertex at which curves start. Which one depends on the coordinates, not on
 // numbers.
 
-// What vertices are compared by: the coordinates of all corners, least first.
+// The key by which vertices are compared: the coordinates of all corners, least first.
 inline std::vector<Uv> coordinates_around(const Chart_mesh& mesh, const std::size_t v)
 {
   std::vector<Uv> result;

@@ -111,8 +111,8 @@ public:
 
   bool is_on_arc(const std::size_t edge) const { return m_half_arcs[edge] != no_index; }
 
-  // Where the cells lie in the charts: on halfedges, and along steps through faces; the edge of a
-  // step along an edge is no_index.
+  // The places of the cells in the charts: on halfedges, and along steps through faces; the edge of
+  // a step along an edge is no_index.
   const Points_on_edges& points_on_edges() const { return m_on_edges; }
 
   // The dart from point i on a halfedge to the next one.

@@ -43,7 +43,7 @@ struct Layout_input
   std::function<Message(std::size_t)> vertex_name;
 };
 
-// What a layout refers to. It stays where it is.
+// The data to which a layout refers. They stay in their place.
 struct Layout_data
   : public Report
 {

@@ -96,7 +96,7 @@ private:
     return true;
   }
 
-  // What surrounds the same part of the surface becomes one patch.
+  // Cycles around the same part of the surface become one patch.
   bool join_cycles()
   {
     const Refined_faces faces(m_mesh, m_curves, m_layout);

@@ -177,7 +177,7 @@ struct Isocurve_rays
   }
 };
 
-// Where a walk along an isocurve is.
+// The state of a walk along an isocurve.
 template <typename Level>
 struct Walk_state
 {

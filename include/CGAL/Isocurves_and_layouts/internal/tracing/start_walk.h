@@ -136,7 +136,7 @@ bool leave_face_point(const Basic_chart_mesh<Group>& mesh, typename Decisions::S
   return false;
 }
 
-// Where a curve starts, in the chart of the face of `halfedge`.
+// The start of a curve, in the chart of the face of `halfedge`.
 struct Chart_start
 {
   Isocurve_place place;

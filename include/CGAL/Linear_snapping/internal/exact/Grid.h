@@ -46,7 +46,7 @@ inline double difference(const Grid_value& a, const Grid_value& b)
   return static_cast<double>(a.base - b.base) + (a.offset - b.offset);
 }
 
-// What a floating point number type can hold.
+// The limits of a floating point number type.
 struct Number_format
 {
   int digits;           // p: all integers up to 2^p are exact

@@ -391,7 +391,7 @@ private:
     // A single solution lies on the coarsest grid.
     const bool may_be_finer =
       m_may_be_finer && projection().number_of_rows() < projected_system().number_of_columns();
-    // Where values shrink by much, each round makes up for the rounding errors of the last one.
+    // If values shrink by much, each round makes up for the rounding errors of the last one.
     double size = std::numeric_limits<double>::infinity(); // the optimum, in steps of the grid
     for(bool again = true; again;) {
       const Least_squares_projection& target = projection(); // which chooses the system

@@ -68,7 +68,7 @@ struct Work_exceeded : std::exception
   const char* what() const noexcept override { return "a lattice took too long to reduce"; }
 };
 
-// What one row leaves behind: the vector that all earlier rows map to 0 and this row to `gcd`. The
+// The result of one row: the vector that all earlier rows map to 0 and this row to `gcd`. The
 // row is a combination of earlier ones if gcd is 0.
 template <typename Integer>
 struct Echelon_step

@@ -43,7 +43,7 @@ struct Component_input
   }
 };
 
-// What to snap: values on a grid per component.
+// The values to snap, on a grid for each component.
 struct Linear_target
 {
   std::vector<Grid> grids;        // one per component

@@ -174,7 +174,7 @@ public:
   // that replaces v.
   void project(const std::size_t k, double* v, double* coefficients) const
   {
-    // Where most of a vector cancels, so do its correct digits: once more restores orthogonality.
+    // If most of a vector cancels, so do its correct digits: once more restores orthogonality.
     double before = inner_product(v, v, m_dimension);
     for(int pass = 0; pass < 3; ++pass) {
       for(std::size_t j = 0; j < k; ++j) {

@@ -162,8 +162,8 @@ public:
     factorize(matrix);
   }
 
-  // Where much is filled in, CHOLMOD would try METIS as well, which takes several times as long on
-  // large matrices as the factorizations gain that follow. On very large ones it is worth its time
+  // If much is filled in, CHOLMOD would try METIS as well. On large matrices, this takes several
+  // times as long as the following factorizations gain. On very large ones it is worth its time
   // again: the factor has a third less numbers.
   void analyzePattern(const Matrix& matrix)
   {
@@ -214,7 +214,7 @@ public:
     Base::factorize(matrix);
   }
 
-  // What a factorization takes of the pattern that was analyzed last.
+  // The cost of a factorization of the pattern that was analyzed last.
   double number_of_multiplications() { return this->cholmod().fl; }
 
   template <typename Right_hand_side>

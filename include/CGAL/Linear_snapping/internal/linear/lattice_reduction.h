@@ -201,7 +201,7 @@ private:
     return scaled_by_power(std::abs(factor.mantissa), factor.exponent);
   }
 
-  // Where vector k belongs: it sinks as long as it is shorter than the vector before it, with both
+  // The place of vector k: it sinks as long as it is shorter than the vector before it, with both
   // projected to the complement of all vectors before these.
   std::size_t position_of(std::size_t k) const
   {

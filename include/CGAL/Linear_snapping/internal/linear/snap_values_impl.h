@@ -182,7 +182,7 @@ inline Refusal contradiction(const Linear_solver& solver)
   return refusal;
 }
 
-// Where no solution is found at all: without right-hand sides, 0 would be one.
+// The refusal if there is no solution at all: without right-hand sides, 0 would be one.
 inline Refusal not_representable(const Linear_solver& solver, const Component_index c)
 {
   std::vector<std::size_t> rows;
@@ -276,7 +276,7 @@ public:
   }
 
 private:
-  // Where distances are but some steps of the grid, it has to cost little.
+  // If distances are only some steps of the grid, it has to cost little.
   static bool is_worth_another_try(const Change_figures& change, const std::size_t size)
   {
     constexpr std::size_t few = 16;

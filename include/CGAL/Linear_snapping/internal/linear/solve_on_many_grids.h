@@ -77,8 +77,8 @@ public:
     }
   }
 
-  // Where no integers do, or too large ones only, a grid becomes finer or coarser, or a target
-  // smaller, and all are looked for again. Returns false if that doesn't lead to a solution soon.
+  // If no integers solve the system, or too large ones only, a grid becomes finer or coarser, or a
+  // target smaller, and the search begins again. Returns false if this finds no solution soon.
   bool solve()
   try {
     constexpr int most_rounds = 12;

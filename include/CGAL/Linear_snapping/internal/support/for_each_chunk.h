@@ -73,7 +73,7 @@ void call_both(const std::function<void()>& f, const std::function<void()>& g)
   });
 }
 
-// What f(chunk) returns for the chunks of 0, ..., n - 1, in their order.
+// The results of f(chunk) for the chunks of 0, ..., n - 1, in their order.
 template <typename Result, typename ConcurrencyTag, typename Function>
 std::vector<Result> results_of_chunks(const std::size_t n, const Function& f,
                                       const std::size_t size = default_chunk_size)

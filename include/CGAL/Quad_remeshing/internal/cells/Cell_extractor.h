@@ -43,7 +43,7 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// What the theorem says of the cells, checked exactly for each part of the surface whose border
+// The theorem on the cells, checked exactly for each part of the surface whose border
 // lies on the grid: as many corners as cells of its area have, and the surface's Euler
 // characteristic.
 struct Cell_counts

@@ -191,7 +191,7 @@ private:
   std::size_t m_obstacle = 0;
 };
 
-// What can be wrong with a dart.
+// The failures of a dart.
 struct Dart_failure
 {
   bool is_obstacle = false;  // it meets a vertex that it can't pass

@@ -88,8 +88,8 @@ public:
   }
 
 private:
-  // What a curve finds at a vertex: nothing, a curve, a wall, which is a border or feature that
-  // runs straight on, or a node, at which curves start. The order is that of `add_seeds()`.
+  // The things that a curve can meet at a vertex: nothing, a curve, a wall (a border or feature
+  // that runs straight on), or a node, at which curves start. `add_seeds()` has the same order.
   enum class Kind : char { FREE, CURVE, WALL, NODE };
 
   bool is_arc(const Halfedge h) const { return get(m_is_arc, edge(h, m_mesh)); }
@@ -185,7 +185,7 @@ private:
     }
   }
 
-  // Where curves meet at the same time, that ends which sees the other one come from its right.
+  // If curves meet at the same time, the curve ends that has the other curve on its right.
   bool runs_on(const Halfedge h, const Halfedge on) const
   {
     if(kind(h) == Kind::NODE || kind(h) == Kind::WALL || is_arc(on))

@@ -53,8 +53,8 @@ struct Surface_part
   }
 };
 
-// What elements add to the parts of a surface that they lie in. Summed up in chunks of elements, in
-// which parts change rarely.
+// The contributions of elements to the parts of a surface that they lie in. They are summed up in
+// chunks of elements, in which parts change rarely.
 // \param part_of(i) the part of element i
 // \param add(i, sum) adds the element
 template <typename Sum, typename ConcurrencyTag, typename Part_of, typename Add>
@@ -239,7 +239,7 @@ inline double area_near(const Uv& a, const Uv& b, const Uv& c)
                                        {Exact_rational(w[0] - u[0]), Exact_rational(w[1] - u[1])}));
 }
 
-// Where a point of the grid lies in its face, as in `Face_point`.
+// The place of a point of the grid in its face, as in `Face_point`.
 template <typename Group>
 std::array<double, 3> weights(const Basic_chart_mesh<Group>& mesh, const Lattice_point& p)
 {

@@ -50,7 +50,7 @@ constexpr auto cell_mesh_parameters =
   named<CGAL::internal_np::cone_index, CGAL::internal_np::edge_is_constrained,
         CGAL::internal_np::vertex_location, CGAL::internal_np::vertex_point>;
 
-// Where the points of the grid lie in space, and the cells as they are written.
+// The points of the grid in space, and the output of the cells.
 
 using Places = boost::container::vector<Place>;
 

@@ -140,7 +140,7 @@ struct Singularities
   std::vector<std::ptrdiff_t> loop_turning; // per border loop, in quarter turns
 };
 
-// What the field turns around each vertex, against the curvature there: in units of a quarter turn
+// The turn of the field around each vertex, against the curvature there: in units of a quarter turn
 // an integer but for rounding errors. Border vertices have no index of their own, unless the field
 // is aligned, but each loop has: the number of quarter turns of its tangent against the field.
 inline Singularities singularities(const Triangle_surface& surface, const Topology& topo,

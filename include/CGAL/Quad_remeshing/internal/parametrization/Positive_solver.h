@@ -302,7 +302,7 @@ private:
     return fewest;
   }
 
-  // What it takes to make it, or to make a system of it.
+  // The cost of making the complex, or a system of it.
   double cost_of_complex() const
   {
     return 2 * double(m_surface.number_of_faces()) +
@@ -333,7 +333,7 @@ private:
       }
   }
 
-  // What untangling reached before edges were released meets the constraints that are left: goes
+  // The result of untangling before edges were released satisfies the remaining constraints: goes
   // on from there if it has fewer flips.
   void keep_better(const Coordinates& uv, Sparse_system& system,
                    std::vector<double>& unknowns)
@@ -349,7 +349,7 @@ private:
 
   // Returns the faces that are not positive afterwards. On large surfaces, what is around flips is
   // tried by itself first: unknowns such as the translations of cuts make patches of all faces.
-  // Where coordinates are long sums of these, edges are released before such a patch is tried.
+  // If coordinates are long sums of these, edges are released before such a patch is tried.
   std::vector<std::size_t> untangle(std::vector<double>& unknowns, const Untangling how)
   {
     constexpr std::size_t edges_around = 10; // of the faces around a flip that are untangled first

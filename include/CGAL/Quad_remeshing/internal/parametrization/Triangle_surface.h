@@ -232,7 +232,7 @@ void for_each_edge_of_face_trees(const Triangle_surface& surface, const MayCross
   }
 }
 
-// Where it takes less time to look at few faces by themselves than at all.
+// Whether it takes less time to look at few faces by themselves than at all faces.
 inline bool is_large(const Triangle_surface& surface) { return surface.number_of_faces() > 50000; }
 
 } // namespace parametrization

@@ -282,7 +282,7 @@ inline double root_mean_square(const Cross_graph& graph, const Prescribed_field&
   return std::sqrt(sum / area);
 }
 
-// Where no crosses are wanted, the smoothest field that continues the one that they direct.
+// On faces without wanted crosses, the smoothest field that continues the wanted crosses.
 inline Prescribed_field solve_directly(const Cross_graph& graph, const Wanted_field& wanted,
                                        const unsigned int seed, Timed_solver& solver)
 {

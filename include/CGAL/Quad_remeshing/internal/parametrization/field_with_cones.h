@@ -100,7 +100,7 @@ inline std::vector<Corner_index> trees_of_vertices(const Triangle_surface& surfa
   return tree;
 }
 
-// What the connection turns by across the edges adds up to an integer around each vertex, but the
+// The turns of the connection across the edges add up to an integer around each vertex, but the
 // rounded numbers may not: 0.4 + 0.4 - 0.8 = 0, where three chains of edges meet. Only the edges in
 // neither kind of tree are rounded, one for each handle loop and path between borders; then
 // the vertices, from the leaves to the roots, determine the others.

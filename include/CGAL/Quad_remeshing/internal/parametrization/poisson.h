@@ -39,7 +39,7 @@ namespace parametrization {
 
 using Coordinates = std::vector<std::array<double, 2> >; // per sector
 
-// What the field wants the uv difference along halfedge `h` to be.
+// The uv difference along halfedge `h` that the field asks for.
 inline std::array<double, 2> wanted_difference(const Triangle_surface& surface,
                                                const std::vector<double>& angles,
                                                const Corner_index h)

@@ -46,7 +46,7 @@ inline Complex unit_cross(const Complex& z)
 // One value per face: the cross to keep, or 0 where the field is free.
 using Prescribed_field = std::vector<Complex>;
 
-// Where a sector between two aligned edges is narrower than this, rounding would give both edges
+// If a sector between two aligned edges is narrower than this, rounding would give both edges
 // the same isocurve, and the faces between them would collapse.
 constexpr double narrow_sector = 50 * pi / 180; // counts as a quarter turn
 

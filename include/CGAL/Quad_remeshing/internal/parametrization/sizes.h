@@ -67,7 +67,7 @@ inline void read_sizes(const std::vector<double>& size, const Triangle_surface& 
     options.log_size.push_back(std::log(std::ldexp(x, -exponent)));
 }
 
-// What edges are bent by, times their lengths, over the area around: the sum of the sizes of the
+// The bends of edges, times their lengths, over the area around: the sum of the sizes of the
 // principal curvatures, roughly; diffused over a part of each component, so that noise makes no
 // cones. No value is negative.
 inline std::vector<double> diffused_curvature(const Triangle_surface& surface, Timed_solver& solver)
@@ -123,7 +123,7 @@ inline void adapt_to_curvature(const Triangle_surface& surface,
   }
 }
 
-// What the metric turns from the center of each face to the middles of its sides, where the
+// The turns of the metric from the center of each face to the middles of its sides, where the
 // logarithm of the size is linear in the face: what `transport()` is to add. Around a vertex, this
 // adds up to the change of its curvature.
 inline void turn_by_sizes(Triangle_surface& surface, const std::vector<double>& log_size)

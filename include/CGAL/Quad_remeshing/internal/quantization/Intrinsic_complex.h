@@ -95,7 +95,7 @@ inline Intrinsic_complex make_complex(const Integer_mesh& mesh)
   return result;
 }
 
-// What is wrong with a halfedge, or nothing.
+// The defect of a halfedge in words, or nothing.
 inline std::string defect(const Intrinsic_complex& complex, const Corner_index h,
                           const Edge_vector vector)
 {

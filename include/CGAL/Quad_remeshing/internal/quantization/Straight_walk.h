@@ -272,7 +272,7 @@ private:
   Face_point m_location;
 };
 
-// Where the points of the grid on a coarse complex lie on the input: at the point of the coarse
+// The places on the input of the grid points on a coarse complex: at the point of the coarse
 // triangle with the same barycentric coordinates; its vectors in the input's size lead there.
 class Point_locator
 {

@@ -77,7 +77,7 @@ public:
   // The number of ways that are open. Without any, nothing else will be reached.
   std::size_t width() const { return m_queue.size(); }
 
-  // What a strip costs at least that goes on from here, and one that ends at the border.
+  // The least cost of a strip that goes on from here, and of a strip that ends at the border.
   double distance() const { return width() == 0 ? infinity : m_queue.top().distance(); }
   double distance_of_border() const { return distance(m_exits[0]); }
 
@@ -101,7 +101,7 @@ public:
 
   bool has_closed() const { return m_length < m_bound; }
 
-  // Where the two have met, or the start, and the end of the other one.
+  // The state in which the two have met, or the start, and the end of the other one.
   Strip_state end() const { return m_end; }
   Strip_state end_of_other() const { return m_end_of_other; }
 
@@ -247,7 +247,7 @@ private:
     return (std::max)(0., from == m_start ? cost - ahead : exit == m_start ? cost - behind : cost);
   }
 
-  // Where a strip closes here.
+  // Ends the search if a strip closes here.
   void close_at(const Strip_state s)
   {
     if(m_other == nullptr) {

@@ -69,8 +69,8 @@ private:
     double sign = 1, offset = 0; // its slide is sign * slide of the parent + offset
   };
 
-  // Where the vertex slides to, at each of its corners, in the chart there: along the first wall,
-  // turned on from corner to corner. Returns false if the vertex is on no straight wall.
+  // The place to which the vertex slides, at each of its corners, in the chart there: along the
+  // first wall, turned on from corner to corner. Returns false if the vertex is on no straight wall.
   bool find_directions(const std::size_t v)
   {
     Corner_index first = no_index;
@@ -103,7 +103,7 @@ private:
   double source_sign(const Corner_index h, const std::size_t axis) const
   { return target_sign(Intrinsic_complex::prev(h), axis); }
 
-  // Where a wall has a corner or an end, none of its vertices slides: lengths matter.
+  // If a wall has a corner or an end, none of its vertices slides: lengths matter.
   void fix_neighbors()
   {
     std::vector<std::size_t> fixed;

@@ -263,8 +263,8 @@ private:
 
   double scale_at(const double height) const { return std::exp2(height / m_rungs_per_doubling); }
 
-  // Where rounding fails on the next rung without an offset, it is not tried: else each ladder
-  // would take as long to find that.
+  // If rounding fails on the next rung without an offset, the search does not try it: else each
+  // ladder would take as long to find that.
   bool round(const double height, Rung& rung)
   {
     const int first = int(std::ceil(height));

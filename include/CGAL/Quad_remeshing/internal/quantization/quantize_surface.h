@@ -132,7 +132,7 @@ struct Quantization_options
   std::shared_ptr<Work> work = std::make_shared<Work>(); // that all searches share
 };
 
-// What is the same whatever number of quads is wanted.
+// The data that do not depend on the wanted number of quads.
 struct Coarse_surface
 {
   Integer_mesh input;        // with the steps of the border

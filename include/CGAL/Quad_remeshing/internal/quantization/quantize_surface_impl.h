@@ -314,7 +314,7 @@ private:
                        : "") + needed.in_words(m_options.number_of_quads);
   }
 
-  // Where more than half of the quads are forced.
+  // The remedy if more than half of the quads are forced.
   Message words_for_remedy() const
   {
     return 2 * m_result.number_of_forced_quads > m_result.number_of_quads &&

@@ -37,7 +37,7 @@ using Feature_chain = std::vector<Corner_index>;
 inline bool is_feature(const Integer_mesh& mesh, const Corner_index h)
 { return mesh.corner(h).is_wall && mesh.opposite(h) != no_index; }
 
-// Where a feature goes on, straight and alone, after one of its halfedges; or no index.
+// The halfedge by which a feature goes on, straight and alone, after a halfedge; or no index.
 inline Corner_index next_on_feature(const Integer_mesh& mesh, const Corner_index h)
 {
   Corner_index result = no_index;

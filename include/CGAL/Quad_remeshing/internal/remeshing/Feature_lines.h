@@ -73,7 +73,7 @@ public:
     m_tree = Nearest_place_tree<Space_segment>(segments);
   }
 
-  // Where a point of a line comes to if it goes by a length; nothing where the line ends before, or
+  // The place of a point of a line after it moves by a length; nothing if the line ends before, or
   // meets others.
   // \param towards where it starts to, roughly
   std::optional<Point> slide(const Point& p, const Point& towards, double length) const

@@ -216,7 +216,7 @@ private:
   double length(const std::size_t i, const std::size_t j) const
   { return CGAL::squared_distance(point(m_places[i]), point(m_places[j])); }
 
-  // Where the surface touches the plane in one point, the two sides of it come apart.
+  // If the surface touches the plane in one point, the two sides of it come apart.
   void split_fans()
   {
     boost::disjoint_sets_with_storage<> fans(3 * m_triangles.size());

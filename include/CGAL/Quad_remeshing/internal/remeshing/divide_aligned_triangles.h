@@ -104,8 +104,8 @@ private:
            angle_to_next(m_mesh, m_mesh.next(h)) > flat_corner;
   }
 
-  // Where a narrow sector of faces begins at `h`, whose target is between walls: the field is
-  // opened there, which is to be far from the other ends of the edges.
+  // A narrow sector of faces begins at `h`, whose target is between walls: the field opens there,
+  // which should be far from the other ends of the edges.
   void insert_edges_of_tip(Halfedge h, std::set<Edge>& sides) const
   {
     std::vector<Edge> edges{m_mesh.edge(h)};

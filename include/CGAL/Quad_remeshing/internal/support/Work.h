@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// What searches may still take, all of them together. It is counted in iterations of untangling
-// over a face, of about 3 microseconds: whatever else takes time counts for as many as take as
+// The work that all searches together may still take. It is counted in iterations of untangling
+// over a face, of about 3 microseconds: other work counts as the number of iterations that takes as
 // long. So results don't depend on the machine.
 class Work
 {

@@ -65,7 +65,7 @@ struct Corner_soup<double, void> : IO::Polygon_soup
   const auto& faces() const { return polygons; }
 };
 
-// What was done to the vertices, and could have been done.
+// The changes of the vertices, and changes that would have been possible.
 struct Vertex_changes : IO::File_status
 {
   std::vector<std::size_t> file_vertices; // the index in the file of each new vertex of the mesh

@@ -38,7 +38,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Where the coordinates go: each old `vt` statement becomes one or more.
+// The places of the coordinates: each old `vt` statement becomes one or more.
 class OBJ_uv_layout
 {
 public:

@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Where the data of faces are among the properties.
+// The places of the data of faces among the properties.
 struct PLY_face_layout
 {
   explicit PLY_face_layout(const PLY_element& element)

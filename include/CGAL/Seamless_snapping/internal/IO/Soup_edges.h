@@ -184,7 +184,7 @@ private:
 
   std::size_t line(const Side& s) const { return (*m_triangles)[s.side / 3].line; }
 
-  // Where the faces of sides are in the file, as in "lines 7 and 8".
+  // The places of the faces of sides in the file, as in "lines 7 and 8".
   std::string places(const std::vector<Side>& sides, const std::string& separator) const
   {
     std::string result;

@@ -290,7 +290,7 @@ public:
   // Solves for targets beside the input. Returns false if there is no solution.
   bool solve_shifted(const Target_shifts<Group>& shifts, Coordinates& coordinates) const;
 
-  // What the linear solver approximates where no target is shifted.
+  // The target of the linear solver without shifts.
   Linear_target target() const { return linear_target({}, m_grids); }
 
 private:

@@ -173,7 +173,7 @@ private:
   static std::size_t coordinate_of(const Sector_index s, const std::size_t c)
   { return dimension * std::size_t(s) + c; }
 
-  // What has no value yet.
+  // Makes the coordinates of a sector free that have no value yet.
   void make_free(const Sector_index s)
   {
     for(std::size_t c = 0; c < dimension; ++c)

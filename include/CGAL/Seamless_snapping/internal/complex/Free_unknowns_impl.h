@@ -55,7 +55,7 @@ Free_unknowns::Free_unknowns(const Integer_system& system)
   }
 }
 
-// What pivots of 1 and -1 leave: a basis of its lattice of solutions spans all of them.
+// The rows that pivots of 1 and -1 leave: a basis of their lattice spans all solutions.
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 void Free_unknowns::add_core(const Integer_system& rows, std::vector<char>& is_implied)
 {

@@ -157,8 +157,8 @@ std::vector<double> largest_coordinates(const Cut_complex<Group>& complex,
   return result;
 }
 
-// What is to be approximated: the input, with the mean of the corners where these differ, and
-// shifted where that is asked for.
+// The values to approximate: the input, with the mean of the corners if these differ, and shifted
+// if the caller asks for it.
 template <typename Group>
 class Grid_coordinates
 {
@@ -228,7 +228,7 @@ translation_gap(const typename Group::Element g, const Grid_point<Group::dimensi
   return gap;
 }
 
-// What the linear solver is to approximate: the coordinates of the nodes' sectors; for a branch the
+// The target of the linear solver: the coordinates of the nodes' sectors; for a branch the
 // mean translation of the pairs between its nodes, and for a chain their mean level. The means are
 // relative to the first of the pairs or links, so that they lose no digits.
 template <typename Group>

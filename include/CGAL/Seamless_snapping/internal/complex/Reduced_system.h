@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// What a row of the system says: which branch, chain, path, or equation of the complex it comes
-// from. Sums contradict nothing: each defines an unknown.
+// The origin of a row of the system: a branch, chain, path, or equation of the complex. Sums
+// contradict nothing: each defines an unknown.
 struct Row_origin
 {
   enum Kind { BRANCH, CHAIN, PATH, EQUATION, SUM };

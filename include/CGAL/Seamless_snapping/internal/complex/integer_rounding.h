@@ -76,7 +76,7 @@ public:
         move_to_origin(v);
   }
 
-  // What is to stay rounded as it is.
+  // Keeps a rounding as it is.
   void fix(const Rounding<Group>& rounding) { m_shifted.equations.push_back(rounding.equation); }
 
   // The equations that make the complex that of an integer-grid map; or why there are none.
@@ -242,7 +242,7 @@ std::optional<Refusal> Integer_rounding<Group>::run(const Number_format& format,
   return std::nullopt;
 }
 
-// Where integers are far, coordinates that are rounded independently stretch and shrink what lies
+// If integers are far, coordinates that are rounded independently stretch and shrink the faces
 // between them. So integers are chosen one after another, as Bommes, Zimmer and Kobbelt do
 // (Mixed-Integer Quadrangulation, 2009): the nearest first, and the map follows before the next
 // ones are. What is chosen is exact: there always are integers for the rest.

@@ -38,8 +38,8 @@ constexpr std::int32_t no_index = -1;
 
 using Place = std::array<double, 3>; // in space
 
-// What a flat mesh knows of a corner at least. Without initial values: threads share the writing of
-// large arrays, and so the time that memory takes which is touched for the first time.
+// The least data of a corner of a flat mesh. Without initial values: threads then share the writing
+// of large arrays, and the time that the first access to memory takes.
 struct Flat_corner
 {
   Corner_index opposite;    // no_index: the other side is the border

@@ -46,7 +46,7 @@ class Seam_mesh;
 namespace Seamless_snapping {
 namespace internal {
 
-// What each public function that takes a uv map asks of the types of mesh and map, with the remedy
+// The conditions of all public functions with a uv map on the types of mesh and map. The remedy is
 // in the compiler's message.
 template <typename TriangleMesh>
 struct Is_seam_mesh

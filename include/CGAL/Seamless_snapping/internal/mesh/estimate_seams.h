@@ -125,7 +125,7 @@ private:
     }
   }
 
-  // Where corners differ along most edges of a vertex, each has noise of its own, which their gaps
+  // If corners differ along most edges of a vertex, each has noise of its own, which their gaps
   // show even if the edges are too short for residuals to: the median of the gaps, since a cut may
   // be among them.
   void add_gaps(const Vertex_index v)

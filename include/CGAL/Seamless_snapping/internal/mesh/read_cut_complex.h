@@ -256,7 +256,7 @@ private:
     return -1;
   }
 
-  // Where no edge is merged all further corners have the coordinates of the first.
+  // If no edge is merged, all further corners have the coordinates of the first.
   void begin_sector(const Halfedge h, const Directed_edge cut)
   {
     end_sector();

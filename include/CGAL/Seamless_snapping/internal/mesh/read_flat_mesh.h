@@ -177,7 +177,7 @@ Place place_of(const Point& p)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-// What a map tells of each of some elements.
+// The values of a map for each of some elements.
 template <typename Elements, typename Map>
 std::vector<Place> places_of(const Elements& elements, const Map& map)
 {

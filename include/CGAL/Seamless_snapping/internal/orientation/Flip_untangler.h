@@ -40,8 +40,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// What a face should look like: as in the input, unless it is flipped or a sliver there. Then no
-// shape is known but the shape of equal sides.
+// The wanted shape of a face: the shape in the input, unless it is flipped or a sliver there. Then
+// the shape has equal sides.
 inline Reference_shape wanted_shape(const Domain_face& face)
 {
   constexpr double thinnest = 0.05; // height, relative to the longest edge

@@ -143,8 +143,8 @@ double wanted_area(const Uv_triangle& input, const bool was_positive, const doub
   return was_positive ? twice_area(input, step) : longest_square<Group>(input, step) / 16;
 }
 
-// What is asked of a face, as a part of the wanted area: as much as a ring can give, down to
-// anything that rounding to the grid leaves positive.
+// The least area of a face, as a part of the wanted area: as much as a ring can give, down to the
+// least area that rounding to the grid leaves positive.
 constexpr std::array<double, 4> area_margins{{1. / 4, 1. / 32, 1. / 1024, 0}};
 
 template <typename Group>

@@ -35,8 +35,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// What repairs of orientations ask the mesh for: the faces around the points of the domain whose
-// coordinates they may change. To the steps that repair, faces are triples of indices; the mesh is
+// The mesh for repairs of orientations: the faces around the points of the domain whose coordinates
+// repairs may change. To the steps of repairs, faces are triples of indices; the mesh is
 // read when they ask, and nowhere else.
 
 // Sectors, and vertices that belong to none: first the sectors, then the other vertices in the

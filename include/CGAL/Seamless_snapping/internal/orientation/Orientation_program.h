@@ -53,7 +53,7 @@ class Displacements
   static constexpr std::size_t dimension = Group::dimension;
 
 public:
-  // What a shift of targets leads to.
+  // The effect of a shift of targets.
   struct Response
   {
     Sparse_vectors<Group> shift;
@@ -333,7 +333,7 @@ private:
     return result;
   }
 
-  // What no equation determines moves with its target.
+  // Coordinates that no equation determines move with their targets.
   void set_free_coordinates(const Vectors& shift, Uv_state& result) const
   {
     for(std::size_t i = 0; i < shift.size(); ++i) {

@@ -46,8 +46,8 @@ public:
     return std::size_t(std::upper_bound(first.begin(), first.end(), p) - first.begin()) - 1;
   }
 
-  // What the angles of a vertex add up to in the input without its folds. On the border they can
-  // be anything: not a number.
+  // The sum of the angles of a vertex in the input without its folds. On the border, any sum is
+  // possible: not a number.
   struct Input_sum
   {
     Angle_sum angles;

@@ -149,8 +149,8 @@ private:
     return std::nullopt;
   }
 
-  // Where integers are far, charts are moved to where they may be nearer; and back, if what can be
-  // chosen there is not better. Returns whether they were moved.
+  // If integers are far, charts move to places at which integers may be nearer; and back, if the
+  // result there is not better. Returns whether they moved.
   bool has_other_charts(const Transition_data<Corner_index>& transitions, const Cuts& cuts,
                         const Constraint_list<Corner_index>& constraints, const bool is_refused,
                         const std::vector<Rounding<Group> >& roundings)

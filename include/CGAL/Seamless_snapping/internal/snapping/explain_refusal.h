@@ -59,7 +59,7 @@ Message name_of_rounding(const Rounding<Group>& rounding, const Surface& surface
          vertex_name(surface, corner);
 }
 
-// What a row stands for.
+// The meaning of a row.
 template <typename Group, typename Surface>
 Message name_of_row(const Row_origin& origin, const Surface& surface,
                     const Surface_cuts<Group, typename Surface::Halfedge>& cuts,

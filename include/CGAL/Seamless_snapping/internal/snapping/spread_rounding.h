@@ -347,7 +347,7 @@ private:
     return result;
   }
 
-  // Where u + v is fixed, but not both, u is the unknown.
+  // If u + v is fixed, but not both, u is the unknown.
   Form form_of_vertex(const std::size_t vertex, const int f) const
   {
     const std::size_t first = number_of_functionals * vertex;
@@ -404,8 +404,8 @@ private:
     }
   }
 
-  // What the unknowns don't say by themselves: once around a vertex, nothing changes; and chains
-  // have one level.
+  // The conditions that the unknowns do not satisfy by themselves: once around a vertex, nothing
+  // changes; and chains have one level.
   void add_conditions()
   {
     for(std::size_t s = 0; s < m_places.size(); ++s)

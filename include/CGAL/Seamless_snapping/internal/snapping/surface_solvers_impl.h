@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What surface_solvers.h declares. Only one source includes this: the compiler makes the templates
-// for all others where they are needed.
+// The definitions for surface_solvers.h. Only one source includes this file: the compiler then
+// makes the templates for all other sources there.
 
 #include <CGAL/Seamless_snapping/internal/snapping/surface_solvers.h>
 

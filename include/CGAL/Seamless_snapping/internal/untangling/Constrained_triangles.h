@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// What a triangle should look like in the domain, up to a rotation.
+// The wanted shape of a triangle in the domain, up to a rotation.
 struct Reference_shape
 {
   Eigen::Matrix2d inverse; // the matrix has two edges as columns: from corner 0 to 1, and to 2
@@ -109,8 +109,8 @@ public:
     m_absolute += sign * std::abs(angle);
   }
 
-  // What the sum is likely to be without folds: as the transitions say, and nearest to the sum of
-  // what is there, as folds leave most of it in place.
+  // The likely sum without folds: the sum that fits the transitions and is nearest to the present
+  // sum, because folds leave most angles in place.
   double without_folds() const
   {
     const double result = m_signed + full_turn * std::round((m_absolute - m_signed) / full_turn);

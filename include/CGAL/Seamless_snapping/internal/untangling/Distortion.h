@@ -141,7 +141,7 @@ public:
     make_pattern();
   }
 
-  // Where the Jacobian is 0, the distortion has no gradient. It has a minimum there if the
+  // If the Jacobian is 0, the distortion has no gradient. It has a minimum there if the
   // regularization is more than 1/2: its second order is 2 |J|^2 / r - 2 det J / r^2, and
   // |det J| is at most |J|^2 / 2. So all triangles of a patch can collapse, for good.
   // \param regularization to start with, at most 1
@@ -181,7 +181,7 @@ public:
   // The cost of the pattern and its order of elimination, in the same units.
   double cost_of_start() const { return double(m_terms.size()) + double(m_places.size()) / 10; }
 
-  // What the unknowns that may change have changed by.
+  // The changes of the unknowns that may change.
   const Vector& change() const { return m_sum; }
 
 private:

@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// What to change where changes near by would give vertices other angles than they are to have.
+// The choices if changes nearby would give vertices wrong angles.
 enum class Untangling
 {
   CLOSE_BY,      // nothing, nor what many triangles depend on
@@ -276,8 +276,8 @@ private:
   // To start with. From 1 on, triangles can collapse; but what comes out mostly changes less.
   static constexpr std::array<FT, 2> regularizations{{0.45, 1}};
 
-  // What became of a patch that had to keep its angles, and so stayed as it was: where the next
-  // attempt may change them, it need not search again.
+  // The result for a patch that had to keep its angles, and so stayed as it was. If the next
+  // attempt may change angles, it need not search again.
   struct Found
   {
     std::size_t iterations;

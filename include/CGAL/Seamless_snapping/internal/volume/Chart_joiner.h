@@ -275,7 +275,7 @@ private:
   std::vector<Edge> m_edges;
 };
 
-// Where charts that are joined lie: such that the corners of sectors meet as well as they can.
+// The places of charts that are joined: such that the corners of sectors meet as well as they can.
 
 // Steps of conjugate gradients. Along the forest, inaccuracies add up; it is where its branches
 // meet that corners are far apart. Few steps spread that over many charts: until none asks for a

@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What is known of a parametrized tetrahedral mesh where constraints concern it: cells with their
+// The part of a parametrized tetrahedral mesh that constraints concern: cells with their
 // corners in plain arrays, and the lists of facets and edges that constraints are about.
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
@@ -87,7 +87,7 @@ inline double six_times_volume(const Uvw_tetrahedron& u, const double scale = 1)
   return inner_product(e[0], vector_product(e[1], e[2]));
 }
 
-// Where a problem is, for messages: "facet 3, 4, 7".
+// The place of a problem, for messages: "facet 3, 4, 7".
 inline Message name_of(const char* const what, const std::vector<std::int64_t>& vertices)
 {
   Message result;

@@ -53,8 +53,8 @@ struct Chart_ties
   std::vector<Tie> ties;            // of columns, less their origins
 };
 
-// What the system says of columns, less their origins. If rows or ties make two columns equal, up
-// to a sign, one unknown stands for both. If they make a column 0, none does.
+// The equations of the system for columns, less their origins. If rows or ties make two columns
+// equal, up to a sign, one unknown stands for both. If they make a column 0, none does.
 class Tied_system
 {
 public:
@@ -380,7 +380,7 @@ inline std::int64_t value_of(const Separation& separation, const std::vector<std
   return result;
 }
 
-// What differences become for the vectors of a basis; each once, because levels make many equal.
+// The images of the differences for the vectors of a basis; each once, because many are equal.
 inline std::vector<Separated_integers::Image>
 distinct_images(const std::vector<Separated_integers::Vector>& basis,
                 const std::vector<Separation>& separations, Tied_system& tied)

@@ -161,7 +161,7 @@ struct Tetrahedra
   }
 };
 
-// Where names are much larger than their number, arrays are not to grow with them.
+// If names are much larger than their number, arrays must not grow with them.
 inline void renumber_vertices(Tetrahedra& tetrahedra)
 {
   if(tetrahedra.number_of_vertices <= tetrahedra.vertices.size())

@@ -41,8 +41,8 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Where charts lie means nothing: they are moved to where translations and levels are nearer to
-// integers.
+// The place of a chart has no meaning: charts move to places at which translations and levels are
+// nearer to integers.
 
 // Charts are classes of cells between which no cut runs. From one to the next, the first cut gets
 // an integer translation; then all charts of a component of the mesh are moved by one vector, which

@@ -15,8 +15,8 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// What looks at all cells: finds the facets whose two sides are not the same to the bit, and
-// copies the cells at the vertices that constraints concern. What follows knows neither the
+// The pass over all cells: finds the facets whose two sides are not the same to the bit, and
+// copies the cells at the vertices that constraints concern. Later steps know neither the
 // caller's mesh nor its map.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>

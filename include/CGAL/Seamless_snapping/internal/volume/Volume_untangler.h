@@ -178,7 +178,7 @@ private:
     return result;
   }
 
-  // What the energy needs of a cell whose corner moves by d: its Jacobian becomes J + d g^T.
+  // The data of a cell for the energy if a corner moves by d: its Jacobian becomes J + d g^T.
   struct Star_cell
   {
     Matrix jacobian;

@@ -203,7 +203,7 @@ private:
     return result;
   }
 
-  // What snapping without moves was never seen to exceed.
+  // A change that snapping without moves has never exceeded.
   double usual_change() const
   {
     return (std::min)(2 * m_report.violation_before + 8 * m_report.grid_step,
@@ -260,7 +260,7 @@ private:
     return result;
   }
 
-  // Where charts have moved relative to each other, all of their coordinates are on a grid.
+  // If charts have moved relative to each other, all of their coordinates are on a grid.
   void spread_over_joined_charts(const Volume_charts& charts, const Volume_sectors& sectors,
                                  const std::vector<std::size_t>& slot,
                                  std::vector<char>& is_inexact) const
