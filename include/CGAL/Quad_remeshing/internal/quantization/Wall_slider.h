@@ -70,7 +70,7 @@ private:
   };
 
   // The place to which the vertex slides, at each of its corners, in the chart there: along the
-  // first wall, turned on from corner to corner. Returns false if the vertex is on no straight wall.
+  // first wall, turned from corner to corner. Returns false if the vertex is on no straight wall.
   bool find_directions(const std::size_t v)
   {
     Corner_index first = no_index;
