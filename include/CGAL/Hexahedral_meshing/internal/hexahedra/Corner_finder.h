@@ -76,7 +76,7 @@ private:
     }
     if(size == 0)
       return result;
-    for(int i = 0; i < size; ++i) // a single one is the exit, as the segment meets the cell
+    for(int i = 0; i < size; ++i) // a single one is the exit, because the segment meets the cell
       if(size == 1 || meets(sides, m_steps[k], beyond[i]))
         cross(k, beyond[i]);
     return outside;

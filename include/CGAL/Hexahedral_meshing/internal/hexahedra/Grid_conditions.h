@@ -171,7 +171,7 @@ private:
                           "makes cells positive if it can"));
   }
 
-  // Each open facet has one rotation that holds exactly, as its image has an area.
+  // Each open facet has one rotation that holds exactly, because its image has an area.
   std::optional<Refusal> check_cuts()
   {
     const std::size_t size = m_volume.open_facets.size();

@@ -194,8 +194,8 @@ inline std::size_t vertex_with_least_coordinates(const Chart_mesh& mesh,
   return best;
 }
 
-// A vertex of a wall if the part has one, as its curves make fewer patches; among these the one
-// with the least coordinates.
+// A vertex of a wall if the part has one, because its curves make fewer patches; among these the
+// vertex with the least coordinates.
 inline std::size_t choose_seed(const Layout_domain& domain, std::vector<std::size_t>& vertices)
 {
   if(std::any_of(vertices.begin(), vertices.end(),

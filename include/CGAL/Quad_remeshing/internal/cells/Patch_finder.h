@@ -127,7 +127,7 @@ private:
   }
 
   // Makes a node of one vertex in each part between walls that has none; on a wall, where there is
-  // one, as its curves make fewer patches.
+  // one, because its curves make fewer patches.
   void add_seeds()
   {
     const auto is_reached = get(CGAL::dynamic_face_property_t<char>(), m_mesh);

@@ -158,7 +158,7 @@ inline std::vector<Corner_index> release_third_edges(Triangle_surface& surface)
 }
 
 // How many edges to release at once for each face: twice as many each time that the faces have not
-// become fewer, as all of the surface is solved for again.
+// become fewer, because all of the surface is solved for again.
 class Release_size
 {
 public:

@@ -135,7 +135,7 @@ void scale_coordinates(const int exponent, const Number_format& format, Coordina
   const bool has_extent = report.extent > 0;
   report.extent = std::ldexp(report.extent, exponent);
   report.violation = std::ldexp(report.violation, exponent);
-  // No coordinate is larger, as one vertex of each component is at the origin.
+  // No coordinate is larger, because one vertex of each component is at the origin.
   const double extent = rounded_to(format, report.extent);
   if(!(extent <= largest_extent)
      || (has_extent && extent < std::ldexp(1., format.minimum_exponent + format.digits - 1)))

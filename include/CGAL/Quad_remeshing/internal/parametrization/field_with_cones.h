@@ -429,7 +429,7 @@ inline void fix_far_faces(const Triangle_surface& surface, const Matching& match
 }
 
 // Cancels opposite cones of up to that distance, and makes the field the wanted one with the new
-// rotations; on large surfaces near these only, as two cones that cancel hardly matter some
+// rotations; on large surfaces near these only, because two cones that cancel hardly matter some
 // distances away. Returns whether there were some.
 inline bool cancel_cones(const Triangle_surface& surface, const Wanted_field& wanted,
                          const double distance, const std::vector<int>& index,

@@ -135,7 +135,7 @@ public:
 
   // Moves that lower the sum of weighted squares of deviations, until there are few. Returns their
   // number. Starts with large gains come first: where there is no strip from one, none from a later
-  // one leads there either, as it would have been found.
+  // one leads there either, because it would have been found.
   std::size_t improve(const std::size_t most_rounds)
   {
     std::size_t number = 0, before = 0;

@@ -83,7 +83,7 @@ struct Marked_surface
   { return is_feature[mesh.edge(h)] || mesh.is_border(mesh.edge(h)); }
 
   // Whether a triangle is half of a quad between walls: a rectangle in the map if it is not
-  // divided, as there is no room for cones.
+  // divided, because there is no room for cones.
   bool is_half_of_quad(const Face f) const
   {
     const Halfedge inner = only_inner_side(mesh.halfedge(f));

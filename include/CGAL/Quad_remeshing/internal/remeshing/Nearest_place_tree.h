@@ -16,8 +16,8 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // Finds the nearest place on triangles or segments: this takes most of the time of smoothing.
-// `CGAL::AABB_tree` takes two to four times as long, as it does not visit the nearer of two boxes
-// first, and makes each triangle from the mesh at each visit.
+// `CGAL::AABB_tree` takes two to four times as long, because it does not visit the nearer of two
+// boxes first, and makes each triangle from the mesh at each visit.
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/support/Progress.h>

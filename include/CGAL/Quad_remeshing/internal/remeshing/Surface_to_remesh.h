@@ -164,8 +164,8 @@ private:
     }
   }
 
-  // Only their ratios count, as the number of quads is known: the largest becomes one near 1, so
-  // that squares are neither 0 nor infinite. What is refused later stays as it is.
+  // Only their ratios count, because the number of quads is known: the largest becomes near 1, so
+  // that squares are neither 0 nor infinite. Sizes that are refused later stay as they are.
   void scale_sizes()
   {
     const Sizing_map sizes = m_surface.sizes;

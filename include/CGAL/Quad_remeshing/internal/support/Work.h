@@ -35,7 +35,7 @@ class Work
 public:
   explicit Work(const double most = most_work) : m_most(most), m_left(most) { }
 
-  // For large surfaces more, as the shape of each quad takes some.
+  // For large surfaces more, because the shape of each quad takes some.
   // \param number of faces and quads
   static Work of_size(const double number)
   {

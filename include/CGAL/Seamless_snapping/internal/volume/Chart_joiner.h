@@ -356,7 +356,7 @@ private:
                         std::abs(m_charts.coordinate(m_volume.uvw(i), std::size_t(i), c))});
       }
     for(std::size_t k = 0; k < m_charts.shifts.size(); ++k) {
-      // one bit more, as the solution may need a grid that is coarser
+      // one bit more, because the solution may need a grid that is coarser
       const double size = largest[std::size_t(m_charts.roots[k])];
       const Grid grid(format, Grid::finest(format, size).exponent() + 1);
       for(double& x : m_charts.shifts[k]) {
