@@ -46,7 +46,7 @@ Template parameters, parameters, named parameters, return value, order, and refu
 lines.
 
 \par Complexity
-That of `read_OBJ()`.
+The complexity of `read_OBJ()`.
 */
 template <typename Source, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>
