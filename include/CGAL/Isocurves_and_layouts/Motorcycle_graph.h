@@ -366,7 +366,7 @@ std::vector<char> constrained_vertices(const Flat_numbering<TriangleMesh>& numbe
   return result;
 }
 
-// At a vertex with several fans of faces, vertices of the layout are more than those of the mesh.
+// At a vertex with several fans of faces, the layout has more vertices than the mesh.
 template <typename TriangleMesh>
 auto start_of_curve(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
                     const Layout_data& data, const Curve_index c)

@@ -210,7 +210,7 @@ auto holes_of_two_edges(const QuadMesh& quads)
   return result;
 }
 
-// Makes one edge of the two around each hole, but for those that were there before. Returns the
+// Makes one edge of the two around each hole, except for holes that were there before. Returns the
 // number of holes.
 template <typename QuadMesh, typename Holes>
 std::size_t close_folds(QuadMesh& quads, const Holes& holes_before)

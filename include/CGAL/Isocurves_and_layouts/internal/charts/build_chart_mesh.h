@@ -95,7 +95,7 @@ double turns_between(const Uv& p, const Uv& q, const Uv& r)
 }
 
 // Whether the angle of a vertex inside of the surface is not 360 degrees. Unlike rotations alone,
-// this also finds those of 720 degrees. An edge without length has no angle with others: at its
+// this also finds cones of 720 degrees. An edge without length has no angle with others: at its
 // ends, the rotations decide.
 template <typename Group>
 bool is_singular(const Basic_chart_mesh<Group>& mesh, const std::size_t v)

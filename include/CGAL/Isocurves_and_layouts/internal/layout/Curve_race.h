@@ -85,7 +85,7 @@ inline double lower_bound(const Exact_level& level)
 
 inline double upper_bound(const Exact_level& level) { return -lower_bound(level.negated()); }
 
-// Invariant: all meetings whose time is before that of all segments to be added are known.
+// Invariant: all meetings before the times of all segments to be added are known.
 class Curve_race
 {
 public:

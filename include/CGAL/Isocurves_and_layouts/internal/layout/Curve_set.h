@@ -121,7 +121,7 @@ public:
       Exact_level(mesh().uv(exit.halfedge)[running_component(chord.direction)]));
   }
 
-  // Appends a segment to a curve. Calls on_chord(chord, other, face) for its chords and those that
+  // Appends a segment to a curve. Calls on_chord(chord, other, face) for its chords and chords that
   // cross them in a face, or may run against them, and on_visit(curve, segment) for the segments
   // that have come to the same vertex.
   template <typename OnChord, typename OnVisit>

@@ -111,7 +111,7 @@ inline bool is_along_wall(const Layout_domain& domain, const Vertex_ray& ray)
 }
 
 // Features are walls: `is_feature` tells of corners whether their edge is one, or is empty; and
-// border edges: all of them, or those that lie on isocurves.
+// border edges: all, or the border edges that lie on isocurves.
 inline void mark_walls(const std::vector<char>& is_feature, const bool is_border_wall,
                        Layout_domain& domain)
 {

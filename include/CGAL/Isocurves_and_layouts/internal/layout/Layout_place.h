@@ -42,7 +42,7 @@ namespace internal {
 using Exact_uv = std::array<Exact_level, 2>;
 
 // Invariant: at a vertex, `halfedge` points to it; inside of an edge, it lies on it; inside of a
-// face, it is one of the face. Coordinates are those of the chart of its face.
+// face, it is one of the face. Coordinates belong to the chart of its face.
 struct Layout_place
 {
   Isocurve_place place = Isocurve_place::FACE;

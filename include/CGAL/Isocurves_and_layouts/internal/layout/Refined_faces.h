@@ -41,7 +41,7 @@ namespace Isocurves_and_layouts {
 namespace internal {
 
 // Polygons glued along edges, as plain arrays. Darts 2 e and 2 e + 1 are the two sides of edge e.
-// The members are those that `Cell_writer` asks for.
+// The members are the members that `Cell_writer` asks for.
 struct Polygon_complex
 {
   std::size_t n_vertices = 0, n_cells = 0;

@@ -36,7 +36,7 @@ namespace CGAL {
 namespace Isocurves_and_layouts {
 namespace internal {
 
-// A point on a curve. Ends of segments before `end` come before it, those from `begin` on after it.
+// A point on a curve. Ends of segments before `end` come before it, ends from `begin` on after it.
 struct Curve_point
 {
   Curve_index curve;

@@ -42,8 +42,8 @@ struct Segment_end
   Corner_index halfedge = no_index;
 };
 
-// Invariant: both ends, and `along` if it is set, are of one face; all coordinates are those of its
-// chart.
+// Invariant: both ends, and `along` if it is set, are of one face; all coordinates belong to
+// its chart.
 struct Chart_segment
 {
   Segment_end entry, exit;

@@ -112,8 +112,8 @@ Number exact_determinant(const Uvw_tetrahedron& t)
 }
 
 // The sign of the volume, exactly: positive where the first corner sees the others
-// counterclockwise from inside, as in CGAL. The number type is that of CGAL's own predicates where
-// their intervals can't tell.
+// counterclockwise from inside, as in CGAL. The number type is the one that CGAL's predicates
+// use if their intervals do not decide.
 inline CGAL::Orientation orientation(const Uvw_tetrahedron& t)
 {
   const std::array<Uvw, 3> a{

@@ -364,7 +364,7 @@ private:
 
   // The combination of the row of a step with earlier rows that maps its vector to 1 and all other
   // echelon and basis vectors to 0 (all, for a redundant row), times a common denominator: the
-  // modulus. Since those vectors span Z^n, it is an integer vector before multiplication.
+  // modulus. Because these vectors span Z^n, it is an integer vector before multiplication.
   Insolvability_certificate certificate(const std::size_t step) const
   {
     Insolvability_certificate result;
@@ -410,7 +410,7 @@ private:
   std::vector<Vector> m_basis;
 };
 
-// Not inline: few of those that include this file compile it.
+// Not inline: few of the sources that include this file compile it.
 template <typename Integer>
 void Integer_lattice::take_kernel(const Integer_system& system, const double most_work)
 {

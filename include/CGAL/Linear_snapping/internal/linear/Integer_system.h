@@ -103,7 +103,7 @@ bool operator<(const Integer_row<Integer>& a, const Integer_row<Integer>& b)
   return std::tie(a.entries, a.right_hand_side) < std::tie(b.entries, b.right_hand_side);
 }
 
-// Replaces columns by their places among those that some row has; returns these, sorted.
+// Replaces columns by their places among the columns that occur in rows; returns these, sorted.
 inline std::vector<Column_index>
 renumber_columns(std::vector<Integer_row<Exact_integer> >& rows)
 {
@@ -255,7 +255,7 @@ struct Echelon_form
   // Unknowns that follow the system's: sums of earlier ones, with signs.
   std::vector<Entries<std::int64_t> > auxiliary_unknowns;
 
-  // Rows of the system. Those that became pivot rows are linearly independent.
+  // Rows of the system. Rows that became pivot rows are linearly independent.
   std::vector<Row_index> rows_with_pivot, rows_in_core, redundant_rows, contradictory_rows;
 
   std::vector<std::int64_t> multiples; // per column, for pivots that are not 1; empty: any integers

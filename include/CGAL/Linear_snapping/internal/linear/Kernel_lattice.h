@@ -18,7 +18,7 @@
 // The Hermite normal form of a sparse integer matrix by unimodular column operations, of which only
 // the operations are kept. Starting with the unit vectors as a basis of Z^n, the lattice is
 // intersected with the kernel of one row after the other. As the basis is reduced all along, its
-// entries stay small, unlike those of an eliminated matrix.
+// entries stay small, unlike the entries of an eliminated matrix.
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/lattice_reduction.h>

@@ -281,7 +281,7 @@ public:
 
   // Moves `values` to their projection, in steps, each of which starts from the exact violations
   // that the last one left, as long as these shrink.
-  // \pre the system is that of the constructor
+  // \pre the system is the system of the constructor
   void project(const Integer_system& system, const int right_hand_shift,
                std::vector<Grid_value>& values) const
   {

@@ -75,8 +75,8 @@ inline double scaled_by_power(const double a, const long exponent)
   return std::ldexp(a, static_cast<int>((std::max)(-5000L, (std::min)(5000L, exponent))));
 }
 
-// Writes v, each component times its scale, as `row` 2^(returned exponent). Adds to `words` those
-// of the components.
+// Writes v, each component times its scale, as `row` 2^(returned exponent). Adds to `words` the
+// words of the components.
 inline long to_scaled_row(const std::vector<std::int64_t>& v, const std::vector<double>& scale,
                           std::vector<double>& row, double& words)
 {

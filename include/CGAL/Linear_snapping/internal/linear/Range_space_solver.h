@@ -48,7 +48,7 @@ public:
 
   void add(Row row, const double value) { m_equations.push_back({std::move(row), value, false}); }
 
-  // The minimum under all equations that were added, but for those that contradict others.
+  // The minimum under all equations that were added, except for equations that contradict others.
   const Eigen::VectorXd& solution()
   {
     for(std::vector<std::size_t> violated = most_violated(); !violated.empty();

@@ -425,7 +425,7 @@ private:
   // c u + d v becomes g w, where g is the greatest common divisor, and w and z = p u + q v are new,
   // with c q - d p = g. Then u = q w - d/g z and v = c/g z - p w are implied. Returns whether
   // g = 1.
-  // \param rows all that hold u or v, but for those with a pivot
+  // \param rows all rows that hold u or v, except for rows with a pivot
   bool combine(const Row_index i, const std::size_t first, const std::size_t second,
                const std::vector<Row_index>& rows)
   {

@@ -29,7 +29,7 @@ namespace Linear_snapping {
 namespace internal {
 
 // The x >= 0 that minimizes 1/2 x^T S x - r^T x, for a symmetric S with a positive diagonal.
-// \param work the multiplications that are allowed; receives those that are left
+// \param work the allowed number of multiplications; receives the number that is left
 inline Eigen::VectorXd minimize_nonnegative(const Eigen::MatrixXd& s, const Eigen::VectorXd& r,
                                             double& work)
 {

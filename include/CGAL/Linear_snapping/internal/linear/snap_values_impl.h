@@ -219,7 +219,7 @@ inline std::string note_on_distance(const Linear_solver& solver, const Component
          "of fewer digits, or fewer unknowns that depend on each other, leave more of these";
 }
 
-// Snaps component by component. Invariant: those that are done have values on their grids.
+// Snaps component by component. Invariant: finished components have values on their grids.
 class Value_snapper
 {
 public:

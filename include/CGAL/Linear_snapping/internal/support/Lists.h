@@ -39,8 +39,8 @@ public:
   Lists() : m_begin(1, 0) { }
 
   // Sorts by counting.
-  // \param for_each(add) calls add(i, x) for each element x of each list i, those of one in their
-  //        order; it is called twice
+  // \param for_each(add) calls add(i, x) for each element x of each list i, elements of a list in
+  //        their order; it is called twice
   template <typename ForEach>
   Lists(const std::size_t number_of_lists, const ForEach& for_each)
     : m_begin(number_of_lists + 1, 0)

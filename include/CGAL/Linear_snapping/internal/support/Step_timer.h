@@ -44,7 +44,7 @@ public:
   Step_timer(const Step_timer&) = delete;
   Step_timer& operator=(const Step_timer&) = delete;
 
-  // Ends the step that began when the previous one ended. Those within the step of another timer
+  // Ends the step that began when the previous one ended. Steps within the step of another timer
   // are told if they take long.
   void finish(const char* step)
   {

@@ -64,7 +64,7 @@ public:
     bool is_opposite_free;           // no feature and no border holds the opposite point
   };
 
-  // Leaves out the folded cells, which no face graph can hold, but not those next to each other.
+  // Leaves out the folded cells, which no face graph can hold, but no two next to each other.
   // The other two sides of each are to become one edge; it is a feature if one of the edges was.
   void leave_out_folded_cells()
   {

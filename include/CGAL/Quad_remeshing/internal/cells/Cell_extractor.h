@@ -125,7 +125,7 @@ struct Extraction_options
 // More darts than this have no 32-bit index.
 constexpr std::size_t largest_number_of_cells = std::size_t(1) << 28;
 
-// \tparam Group that of the directions of the grid's lines
+// \tparam Group the group of the directions of the grid's lines
 template <typename Group>
 class Cell_extractor
 {
@@ -395,8 +395,8 @@ private:
                   "the surface holds no whole cell of the grid" + remedy(m_options.how_to_refine));
   }
 
-  // A dart in each direction at a regular vertex; at others, their number is that of turns of the
-  // group, of which the rotations around the vertex know the number modulo a full turn.
+  // A dart in each direction at a regular vertex; at others, as many darts as turns of the group. The
+  // rotations around the vertex know this number modulo a full turn.
   bool is_valence_right(const std::size_t p) const
   {
     const Lattice_point& point = m_complex->points[p];

@@ -31,7 +31,7 @@ namespace Quad_remeshing {
 namespace internal {
 
 // The cells between the lines of the grid: squares, or the triangles of the lattice.
-// \tparam Group that of the directions of lines
+// \tparam Group the group of the directions of lines
 template <typename Group>
 struct Cell_shape
 {

@@ -31,8 +31,8 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// From the chart of a corner to that of another one at the same vertex. Both charts differ by whole
-// units, so that rounding is none.
+// From the chart of a corner to the chart of another corner at the same vertex. Both charts differ
+// by whole units, so nothing is rounded.
 template <typename Group = Quarter_turns>
 Uv carried(const Uv& u, const typename Group::Element rotation, const Uv& from, const Uv& to)
 {

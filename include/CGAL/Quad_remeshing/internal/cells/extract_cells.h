@@ -165,7 +165,7 @@ Extraction_report run_and_write(Cell_extractor<Group>& extractor, const Triangle
 }
 
 // Reads the map first.
-// \tparam Group that of the directions of the grid's lines
+// \tparam Group the group of the directions of the grid's lines
 template <typename ConcurrencyTag, typename Group, typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters, typename Output>
 Extraction_report extract_cells(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,

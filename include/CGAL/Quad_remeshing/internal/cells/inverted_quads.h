@@ -103,7 +103,7 @@ inline bool is_inverted(const Quad_in_space& q)
 }
 
 // In a report.
-// \param face its number among those that were written
+// \param face its number among the faces that were written
 // \param first the first ones, of which ten are listed
 inline void count_quad(const std::size_t face, std::size_t& number, std::vector<std::size_t>& first)
 {

@@ -33,7 +33,7 @@ namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
-// Weight of an edge in the energy of a field: its length over that of the dual edge.
+// Weight of an edge in the energy of a field: its length over the length of the dual edge.
 inline double dual_weight(const double length, const double sum_of_areas)
 { return 1.5 * length * length / sum_of_areas; }
 

@@ -35,7 +35,7 @@ namespace Quad_remeshing {
 namespace internal {
 namespace parametrization {
 
-// The faces up to so many edges around those that are not positive.
+// The faces up to so many edges around faces that are not positive.
 inline std::vector<std::size_t> faces_near_flips(const Triangle_surface& surface,
                                                  const Surface_complex& complex,
                                                  const Coordinates& uv,

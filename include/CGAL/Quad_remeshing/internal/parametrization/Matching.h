@@ -36,7 +36,7 @@ namespace parametrization {
 
 // Invariant: across each interior halfedge, from face f to face g,
 //   angle(f) + transport - angle(g) = turns * quarter_turn + deviation;
-// a direction that has the uv coordinates w in the chart of f has R^turns w in that of g.
+// a direction that has the uv coordinates w in the chart of f has R^turns w in the chart of g.
 // Both numbers change their signs with the halfedge.
 struct Matching
 {
@@ -79,8 +79,8 @@ inline double turn_from_cross(const Triangle_surface& surface, const std::vector
   return turn - quarter_turn * std::round(turn / quarter_turn);
 }
 
-// Matches each direction with the closest one; across an aligned edge, those that are closest to it
-// on either side, so that it is on isocurves of one coordinate for both.
+// Matches each direction with the closest one; across an aligned edge, directions that are closest
+// to it on either side, so that it is on isocurves of one coordinate for both.
 inline Matching match_crosses(const Triangle_surface& surface, const std::vector<double>& angles)
 {
   const Corner_index n = surface.number_of_halfedges();

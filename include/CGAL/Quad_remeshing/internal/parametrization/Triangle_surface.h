@@ -38,7 +38,7 @@ constexpr std::size_t none = static_cast<std::size_t>(-1); // of vertices, compo
 constexpr double pi = 3.14159265358979323846;
 constexpr double quarter_turn = 2 * pi / Quarter_turns::order;
 
-// Invariant: the triangles are not degenerate, and the angles, areas and directions are those of
+// Invariant: the triangles are not degenerate, and the angles, areas and directions belong to
 // triangles with the given lengths.
 struct Triangle_surface : Flat_mesh<Flat_corner>
 {
@@ -66,8 +66,8 @@ struct Triangle_surface : Flat_mesh<Flat_corner>
     return "a vertex of " + name_of_face(std::size_t(face(corner_at_vertex[v])));
   }
 
-  // A direction at angle `a` in the layout of face(h) has the angle `a + transport(h)` in that of
-  // the face across `h`: unfold the two faces along the edge.
+  // A direction at angle `a` in the layout of face(h) has the angle `a + transport(h)` in the
+  // layout of the face across `h`: unfold the two faces along the edge.
   double transport(const Corner_index h) const
   {
     const double turn = direction[opposite(h)] + pi - direction[h];

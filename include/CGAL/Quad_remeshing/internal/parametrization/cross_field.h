@@ -306,7 +306,7 @@ inline Prescribed_field solve_directly(const Cross_graph& graph, const Wanted_fi
   return smoothest_field(graph, prescribed, seed, solver);
 }
 
-// Gives each node the best cross for those of its neighbors, in turn: what is smooth over a few
+// Gives each node the best cross for its neighbors, in turn: what is smooth over a few
 // nodes changes little, what is not becomes smooth. Unit crosses are made such now and then only:
 // between, long ones outweigh short ones, which removes pairs of cones that cancel out.
 inline void relax(const Cross_graph& graph, const Wanted_field& wanted, Prescribed_field& field)

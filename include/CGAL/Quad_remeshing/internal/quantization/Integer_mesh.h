@@ -143,8 +143,8 @@ struct Integer_corner : Flat_corner
   bool is_wall = false; // on the border, or a feature: it lies on an isocurve, and stays there
 };
 
-// Invariant: the vectors of each face add up to 0 and turn left, those of an edge's two sides are
-// opposite up to the rotation, and one coordinate of each wall is 0.
+// Invariant: the vectors of each face add up to 0 and turn left, the vectors of the two sides of an
+// edge are opposite up to the rotation, and one coordinate of each wall is 0.
 struct Integer_mesh : Flat_mesh<Integer_corner>
 {
   std::vector<double> steps;      // per connected part: the length of one unit in the domain

@@ -76,7 +76,7 @@ inline int orientation(const Intrinsic_complex& complex, const Flat_face_index f
   return cross_sign(complex.corner(3 * f).*vector, complex.corner(3 * f + 1).*vector);
 }
 
-// The complex whose faces are those of the mesh.
+// The complex with the faces of the mesh.
 inline Intrinsic_complex make_complex(const Integer_mesh& mesh)
 {
   Intrinsic_complex result;

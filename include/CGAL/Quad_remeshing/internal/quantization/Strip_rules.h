@@ -68,7 +68,7 @@ enum class Cost_of_units
 // A strip changes each face that it passes: the corner between the two edges that it crosses moves,
 // the third edge stays. So costs are given for the state of the edge that stays, in the direction
 // in which the corner moves. The complex has to outlive it.
-// Invariant: costs and determinants are those of the units at the last update.
+// Invariant: costs and determinants belong to the units at the last update.
 class Strip_rules
 {
   // Together, as a search asks for all of them.

@@ -54,7 +54,7 @@ public:
   }
 
 private:
-  // The corners at v, counterclockwise, the turns from their charts to that of the first one, and
+  // The corners at v, counterclockwise, the turns from their charts to the chart of the first, and
   // which of them have a wall as first edge. Returns false if a face has v twice: then its star is
   // no disc.
   bool find_star(const std::size_t v, const std::size_t largest_degree)
@@ -84,7 +84,7 @@ private:
   std::size_t index(const std::size_t i) const { return i % m_corners.size(); }
   Corner_index corner(const std::size_t i) const { return m_corners[index(i)]; }
 
-  // From the chart of corner i to that of corner `first`, counterclockwise from there.
+  // From the chart of corner i to the chart of corner `first`, counterclockwise from there.
   Quarter_turns::Element turn(const std::size_t first, const std::size_t i) const
   {
     return Quarter_turns::compose(Quarter_turns::inverse(m_turns[index(first)]), m_turns[index(i)]);

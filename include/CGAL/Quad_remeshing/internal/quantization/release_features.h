@@ -101,8 +101,8 @@ inline Coarse_surface without_features(const Coarse_surface& surface,
   return result;
 }
 
-// Triangles that are too small for integers force quads: at least one, or one along a wall. Those
-// that a feature bounds or ends at would be others without it.
+// Triangles that are too small for integers force quads: at least one, or one along a wall. Without
+// a feature, the triangles at its sides and ends would be others.
 class Costly_features
 {
 public:

@@ -72,7 +72,7 @@ struct Marked_surface
   using Sizing_map = Mesh::Property_map<Vertex, double>;
 
   Marked_surface() = default;
-  // The maps belong to the mesh: those of the copy are found again.
+  // The maps belong to the mesh: the copy finds its own maps again.
   Marked_surface(const Marked_surface& other)
     : mesh(other.mesh), originals(other.originals)
   { }

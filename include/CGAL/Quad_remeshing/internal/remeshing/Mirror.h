@@ -105,7 +105,7 @@ private:
   double m_offset;
 };
 
-// The triangles of a surface on the upper side of a mirror: those that cross it are cut.
+// The triangles of a surface on the upper side of a mirror. Triangles that cross it are cut.
 
 // Invariant: cut vertices lie on the plane as `Mirror::on_plane()` computes it, and so do vertices
 // that are nearer to it than a thousandth of their shortest edge, so that no sliver is cut off.

@@ -33,7 +33,7 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// Invariant: `m_faces` are those around the vertices that were collected last.
+// Invariant: `m_faces` are the faces around the vertices that were collected last.
 class Quad_star
   : private Remeshing_types
 {

@@ -43,7 +43,7 @@ namespace Quad_remeshing {
 namespace internal {
 
 // Barycentric coordinates of the projection to the plane of the triangle, cut off at 0. In a
-// triangle without area, those on its longest side.
+// triangle without area, the coordinates on its longest side.
 inline std::array<double, 3> barycentric_coordinates(
   std::array<std::array<double, 3>, 3> triangle, std::array<double, 3> point)
 {

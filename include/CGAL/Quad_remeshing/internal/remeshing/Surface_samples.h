@@ -96,7 +96,7 @@ public:
   }
 
   // Per vertex of the quads: of the places whose nearest triangle of a quad has it as a corner. The
-  // sum of all squares is that of distances in units of an edge, as a mean over each quad.
+  // sum of all squares is the sum for distances in units of an edge, as a mean over each quad.
   // \param far_ones_count_more by 1 plus their squared distance, in the same units
   std::vector<Distance_form> distance_forms(const Mesh& quads, const bool far_ones_count_more) const
   {

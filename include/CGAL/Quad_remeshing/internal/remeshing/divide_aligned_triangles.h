@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// Invariant: the triangles that are not divided at their center are those of the input.
+// Invariant: triangles that are not divided at their center are triangles of the input.
 class Aligned_triangle_divider
   : private Remeshing_types
 {

@@ -45,7 +45,7 @@ class Border_evener
 {
 public:
   // \param is_feature of the edges of the quads
-  // \param surface on whose border that of the quads lies
+  // \param surface the surface on whose border the border of the quads lies
   Border_evener(Mesh& quads, const Feature_map& is_feature, const Mesh& surface)
     : m_quads(quads), m_is_feature(is_feature)
   {

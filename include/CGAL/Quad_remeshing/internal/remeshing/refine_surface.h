@@ -15,7 +15,7 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Divides long and large triangles, such as those of a flat face without vertices inside: no cones
+// Divides long and large triangles, for example in a flat face without vertices inside: no cones
 // could lie there, and few vertices leave a map no room between features. Longest edges are halved
 // (Rivara's longest-edge propagation), and edges between triangles of a plane are flipped to
 // Delaunay ones.

@@ -46,7 +46,7 @@ public:
   using Point_map = Mesh::Property_map<Vertex, Point>;
 
   // \param tolerance how far lines may be from the border
-  // \param points of the map, those of the surface at first
+  // \param points the points of the map, at first the points of the surface
   Border_straightener(Marked_surface& surface, const double tolerance, const Point_map& points)
     : m_surface(surface), m_mesh(surface.mesh), m_tolerance(tolerance), m_points(points)
   { }

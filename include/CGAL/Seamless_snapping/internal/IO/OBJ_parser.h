@@ -75,7 +75,7 @@ private:
     m_soup.uvs.push_back(numbers);
   }
 
-  // Returns how many numbers there are; those for which there is no place are checked and dropped.
+  // Returns how many numbers there are; numbers without a place are checked and dropped.
   template <typename Number, std::size_t n>
   std::size_t parse_numbers(const char* keyword, const std::size_t needed,
                             std::array<Number, n>& numbers)

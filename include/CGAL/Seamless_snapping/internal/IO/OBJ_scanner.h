@@ -54,7 +54,7 @@ public:
   }
 
   // Goes to the next statement and returns its keyword, which is empty at the end of the text;
-  // `line()` is then that of the last statement.
+  // `line()` is then the line of the last statement.
   std::string_view next_statement()
   {
     while(m_position < m_text.size()) {

@@ -174,7 +174,7 @@ private:
     return (*m_triangles)[s.side / 3].vertices[s.side % 3] != s.high;
   }
 
-  // The first side of an edge that does not fit to those before it, `last` if none.
+  // The first side of an edge that does not fit the sides before it, `last` if none.
   const Side* faulty_side(const Side* const first, const Side* const last) const
   {
     if(last - first >= 2 && runs_upwards(first[0]) == runs_upwards(first[1]))

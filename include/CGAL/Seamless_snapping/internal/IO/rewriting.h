@@ -74,8 +74,8 @@ public:
     : m_first(number_of_keys, none)
   { }
 
-  // Returns the index of the coordinates `uv` under `key`; it is the number of those so far for new
-  // ones.
+  // Returns the index of the coordinates `uv` under `key`; for new coordinates, it is the number of
+  // coordinates so far.
   std::size_t insert(std::size_t key, const UV& uv)
   {
     std::size_t i = m_first[key];

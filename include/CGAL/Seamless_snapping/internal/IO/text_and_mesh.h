@@ -80,7 +80,7 @@ std::vector<Side_index> sides_of_segments(const Soup_edges<Triangle>& edges,
   return sides;
 }
 
-// Returns the new vertex of each point; the null vertex for those that welding has left without
+// Returns the new vertex of each point; the null vertex for points that welding has left without
 // faces.
 template <typename Points, typename TriangleMesh, typename VertexPointMap>
 std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
@@ -173,7 +173,7 @@ Vertex_changes build_mesh(Soup& soup, TriangleMesh& tmesh, HalfedgeUVMap uv_map,
   return changes;
 }
 
-// Whether the faces of the soup are those of the mesh, in the same order: vertex i of a triangle is
+// Whether soup and mesh have the same faces, in the same order: vertex i of a triangle is
 // the target of a halfedge h with `is_same(triangle, i, h)`.
 template <typename Soup, typename TriangleMesh, typename IsSame>
 bool has_faces_of(const Soup& soup, const TriangleMesh& tmesh, const IsSame& is_same)

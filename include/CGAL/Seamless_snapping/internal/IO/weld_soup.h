@@ -68,7 +68,7 @@ Coinciding_sides find_coinciding_sides(const Soup& soup, const std::vector<Side_
   return result;
 }
 
-// For each vertex the one that it becomes: of those that are welded the one that is first in the
+// For each vertex the vertex that it becomes: among welded vertices, the first one in the
 // file.
 template <typename Soup>
 std::vector<std::size_t>

@@ -221,7 +221,7 @@ std::vector<char> exact_components(const Cut_complex<Group>& complex,
       if(k >= 0)
         result[std::size_t(k)] = false;
   };
-  // Sectors can cancel in a row, so that all of it are looked at: those that are left tell.
+  // Sectors can cancel in a row, so all of them are marked: the sectors that are left decide.
   const auto mark_branch = [&](const std::size_t b) {
     for(const auto& pair : {complex.pairs[b].front(), complex.pairs[b].back()})
       for(const Sector_index s : {pair.plus, pair.minus})
@@ -283,8 +283,8 @@ public:
     return step > 0 ? step : 1;
   }
 
-  // Exact coordinates near the input; `grids()` become those of the solution. Returns why there are
-  // none, if so.
+  // Exact coordinates near the input; `grids()` become the grids of the solution. Returns the
+  // reason if there are none.
   std::optional<Refusal> solve(Snapped_coordinates<Group>& snapped);
 
   // Solves for targets beside the input. Returns false if there is no solution.

@@ -137,7 +137,7 @@ public:
     return row;
   }
 
-  // The coordinates of all sectors. Those of the two sides of a cut differ by the same translation,
+  // The coordinates of all sectors. The two sides of a cut differ by the same translation,
   // so that transitions hold up to the rounding of a single sum.
   std::vector<std::array<double, dimension> > evaluate(const std::vector<double>& free_values) const
   {

@@ -41,8 +41,8 @@ struct Row_origin
   bool is_at_end; // or at the beginning of the branch or chain
 };
 
-// Invariant: the columns are those of the nodes' sectors, one per coordinate, in order; then those
-// of the translations of branches, and of the levels of chains, that have vertices between nodes.
+// Invariant: the columns are the coordinates of the nodes' sectors, in order; then the translations
+// of branches, and the levels of chains, that have vertices between nodes.
 // In lattice coordinates, the sum of the squares of all three functionals is what is to be small:
 // u + v is a further column for each of these vectors then, and a row defines it.
 template <typename Group>

@@ -79,7 +79,7 @@ public:
   // Keeps a rounding as it is.
   void fix(const Rounding<Group>& rounding) { m_shifted.equations.push_back(rounding.equation); }
 
-  // The equations that make the complex that of an integer-grid map; or why there are none.
+  // The equations that make the map an integer-grid map; or the reason why there are none.
   std::optional<Refusal> run(const Number_format& format, std::vector<Rounding<Group> >& roundings);
 
 private:
@@ -256,7 +256,7 @@ constexpr std::size_t most_that_follow = 4000;
 constexpr double nearly_integer = 1e-4;
 
 // \param spreader of the complex
-// \param roundings all of them; receives others. Distances stay those from the complex.
+// \param roundings all of them; receives others. Distances stay distances from the complex.
 // \return whether there are others
 template <typename Group, typename Spreader>
 bool round_one_after_another(const Cut_complex<Group>& complex,

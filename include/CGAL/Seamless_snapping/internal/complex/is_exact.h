@@ -86,7 +86,7 @@ bool chain_is_exact(const Cut_complex<Group>& complex, const std::size_t c,
 }
 
 // By how much the value of the functional at the end of a path differs from that at its beginning:
-// 0 if [MC19] Eq. (6) holds. Where a branch is inexact, the transition is that of its first pair.
+// 0 if [MC19] Eq. (6) holds. If a branch is inexact, the transition of its first pair counts.
 template <typename Group, typename Vector>
 Exact_rational path_misfit(const Cut_complex<Group>& complex,
                            const typename Cut_complex<Group>::Path& path,
@@ -97,7 +97,7 @@ Exact_rational path_misfit(const Cut_complex<Group>& complex,
   for(const auto& crossing : path.crossings) {
     const std::size_t b = std::size_t(crossing.branch);
     const auto& pair = complex.pairs[b].front();
-    // from the chart of one sector of a pair to that of the other: u' = g (u - u(here)) + u(there)
+    // from the chart of one sector of a pair to the other chart: u' = g (u - u(here)) + u(there)
     const auto here =
         exact_vector<Group>(u[std::size_t(crossing.is_along ? pair.plus : pair.minus)]);
     const auto there =

@@ -83,7 +83,7 @@ public:
   }
 
 private:
-  // The shortest displacement on the line of a half plane, within those before it: an interval.
+  // The shortest displacement on the line of a half plane, within the interval of the others.
   Uv shortest_on_line(const std::size_t i) const
   {
     const Half_plane& p = m_planes[i];

@@ -44,7 +44,7 @@ namespace internal {
 using Point_index = Sector_index;
 using Face_index = std::int32_t; // in the order in which they are met
 
-// Coordinates of points under way. Points that were met later have those of the input.
+// Coordinates of points under way. Points that were met later have the coordinates of the input.
 using Uv_state = std::vector<Uv>;
 
 // A face as it was in the input.

@@ -184,8 +184,8 @@ private:
         search(program, margin, m_flip_reach, true, best);
   }
 
-  // Solves with the conditions of the faces that remain, and again with those of faces that this
-  // costs, linearized at the previous solution.
+  // Solves with the conditions of the faces that remain, and again with the faces that this costs,
+  // linearized at the previous solution.
   // \param reach the largest change of a functional
   void search(Program& program, const double margin, const double reach, const bool with_flips,
               Attempt& best)
@@ -283,8 +283,8 @@ private:
   Uv_state m_tangled, m_untangled; // the last step of untangling
   Uv_state m_optimum; // the exact solution for targets that are not shifted
   std::size_t m_work = 0;
-  // The largest change; that which repairs may make; that of programs for flips of the input; and
-  // that for which all faces are watched.
+  // The largest changes: before, of repairs, and of programs for flips of the input; and the change
+  // up to which all faces are watched.
   double m_reach = 0, m_largest_repair = 0, m_flip_reach = 0, m_watched_reach = -1;
 };
 

@@ -198,8 +198,8 @@ private:
     return snap();
   }
 
-  // The nearest integers, or those that are chosen one after another: whichever turn over fewer
-  // faces and change edges less.
+  // The nearest integers, or integers that are chosen one after another: the result with fewer
+  // flipped faces and smaller changes of edges.
   Choice choose_integers(const Cuts& cuts, const std::vector<Rounding<Group> >& nearest) const
   {
     Rounding_spreader<Group> spreader(m_surface, cuts);

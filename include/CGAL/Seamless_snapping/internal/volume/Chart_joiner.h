@@ -345,7 +345,7 @@ private:
     }
   }
 
-  // To numbers such that coordinates of the input are exact where those of the system are.
+  // To numbers such that coordinates of the input are exact if the coordinates of the system are.
   void round(const Number_format& format)
   {
     std::vector<double> largest(m_charts.shifts.size(), 0); // per root

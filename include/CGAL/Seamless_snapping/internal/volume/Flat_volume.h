@@ -97,7 +97,7 @@ inline Message name_of(const char* const what, const std::vector<std::int64_t>& 
   return result;
 }
 
-// Invariants: the cells are all those of the caller's mesh that have a vertex which is not fixed.
+// Invariants: the cells are all cells of the caller's mesh with a vertex that is not fixed.
 // The sides of facets that are not open are the same to the bit.
 struct Flat_volume
 {
@@ -244,13 +244,13 @@ struct Volume_charts
     return std::size_t(chart_of_cell[corner / 4]);
   }
 
-  // A name of all charts that are joined with that of a corner.
+  // A name of all charts that are joined with the chart of a corner.
   std::size_t root(const Corner_index corner) const
   {
     return are_given() ? 0 : std::size_t(roots[chart(std::size_t(corner))]);
   }
 
-  // From the coordinates of the input to those of the system.
+  // From the coordinates of the input to the coordinates of the system.
   Group::Element element(const std::size_t corner) const
   {
     return are_given() ? Group::identity() : elements[chart(corner)];

@@ -104,7 +104,7 @@ public:
     return result;
   }
 
-  // In the chart of the system, and in that of the input.
+  // In the chart of the system, and in the chart of the input.
   double largest(const Sector_number s, const std::size_t c) const
   {
     double result = 0;
@@ -158,7 +158,7 @@ private:
 };
 
 // Invariant: column 3 s + c is coordinate c of slot s, the mean over the members of the place, and
-// weighs as much as they do. So this system has the optimum of that of all members.
+// weighs as much as they do. So this system has the optimum of the system of all members.
 class Place_system
 {
   using Group = Cube_rotations;

@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Integers for all translations of sheets and all levels, near those of a map, that agree: the
+// Integers for all translations of sheets and all levels, near the values of a map, that agree: the
 // system of places is solved on the grid of the integers. Rounding each on its own would contradict
 // itself where sheets meet.
 // Invariant: the system is eliminated. After `solve()`, what the slots hold meets all constraints,
@@ -95,7 +95,7 @@ public:
 
 private:
   // The means of the members, moved so that coordinates of the first slot are 0 where they are
-  // free: else their rounding would disturb that of the others.
+  // free: else their rounding would disturb the rounding of the others.
   std::vector<Grid_value> targets(const std::vector<Uvw>& u) const
   {
     std::vector<Grid_value> result;
@@ -252,7 +252,7 @@ private:
     }
   }
 
-  // The cotangent weights of the six edges; those of thin cells are bounded.
+  // The cotangent weights of the six edges; weights of thin cells are bounded.
   static Weights weights_of_cell(const Uvw* const u)
   {
     constexpr double least_volume = 1e-4; // against the third power of the size

@@ -232,8 +232,8 @@ std::optional<Refusal> read_vertices(const TetrahedronRange& tetrahedra, Tetrahe
   return std::nullopt;
 }
 
-// The neighbors as the caller gives them: for each cell, those opposite to its vertices. The survey
-// checks that they fit.
+// The neighbors as the caller gives them: for each cell, the cells opposite to its vertices. The
+// survey checks that they fit.
 template <typename NeighborRange>
 std::optional<Refusal> read_neighbors(const NeighborRange& neighbors, Tetrahedra& tetrahedra)
 {

@@ -38,7 +38,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// The edges that have to lie on integer lines in an integer-grid map: singular ones, and those at
+// The edges that have to lie on integer lines in an integer-grid map: singular edges, and edges at
 // which the boundary turns back.
 
 constexpr int no_axis = -1;
@@ -248,7 +248,7 @@ inline bool is_on_line(const Flat_volume& volume, const std::size_t i,
 }
 
 // Counts what is off the integers, and measures by how much: translations and levels.
-// \pre the map is exactly seamless and aligned, else distances are those at one vertex
+// \pre the map is exactly seamless and aligned, else distances refer to one vertex only
 inline void measure_distances(const Flat_volume& volume, const Volume_transitions& transitions,
                               const Volume_alignment& alignment, const std::vector<Uvw>& u,
                               Volume_integer_grid_measure& measure)
@@ -340,7 +340,7 @@ inline void measure_orientations(const Flat_volume& volume, Volume_integer_grid_
   measure.volume = CGAL::to_double(six_volumes) / 6;
 }
 
-// How far a map is from that of an integer grid, to one who sees its coordinates only.
+// How far a map is from an integer-grid map, computed from its coordinates only.
 // \pre the volume holds all cells, and lists no singular edges
 inline Volume_integer_grid_measure measure_integer_grid(const Flat_volume& volume)
 {

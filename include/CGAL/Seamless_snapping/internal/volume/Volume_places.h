@@ -38,7 +38,7 @@ namespace internal {
 // Places have slots, and each of their members has a sector in each slot. What the arcs of two
 // vertices have in common is told by the names of sheets and levels alone, so that members need
 // not be near each other. Where corners of the mesh touch at a vertex, each part is a member.
-// Arcs and levels are those of the first member, whose sectors are named by slots.
+// Arcs and levels belong to the first member, whose sectors are named by slots.
 struct Volume_places
 {
   struct Place
@@ -311,7 +311,7 @@ public:
     return m_member_of_sector[std::size_t(m_sectors.sector[std::size_t(i)])].first;
   }
 
-  // The sector of a corner among those of its place.
+  // The sector of a corner among the sectors of its place.
   std::size_t slot_of_corner(const Corner_index i) const
   {
     return m_member_of_sector[std::size_t(m_sectors.sector[std::size_t(i)])].second;

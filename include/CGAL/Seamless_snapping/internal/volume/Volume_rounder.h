@@ -82,7 +82,7 @@ public:
   const Chart_ties& ties() const { return m_ties; }
 
 private:
-  // Cells of a chart before those beyond its cuts, so that they get the same shift.
+  // Cells of a chart before cells beyond its cuts, so that they get the same shift.
   void reach_component(const std::size_t root)
   {
     std::vector<Corner_index> cuts; // reached, as the cell on this side sees them

@@ -99,8 +99,8 @@ private:
   {
     if(auto refusal = find_split_vertices())
       return refusal;
-    // A wrong neighbor would hide a facet of the boundary. Given ones of larger number are all
-    // looked at; if those of smaller number are as many, each is the other side of one of them.
+    // A wrong neighbor would hide a facet of the boundary. The loop looks at all given neighbors of
+    // larger number; if as many have a smaller number, each is the other side of one of them.
     const bool are_given = m_tetrahedra.has_given_neighbors;
     std::ptrdiff_t balance = 0;
     for(std::size_t c = 0; c < m_tetrahedra.number_of_cells(); ++c) {

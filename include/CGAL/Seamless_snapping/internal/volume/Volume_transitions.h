@@ -76,9 +76,9 @@ inline double largest_at(const Flat_volume& volume, const std::vector<double>& n
   return result;
 }
 
-// Decides for facets by what is around them, layer by layer: all of a layer are decided before the
-// next, so that their order does not matter. Returns those that have nothing decided around them.
-// \param wanted(i) what the surroundings of facet i ask for, if they do
+// Decides for facets by their surroundings, layer by layer: all of a layer are decided before the
+// next, so that their order does not matter. Returns the facets without decided surroundings.
+// \param wanted(i) the choice that the surroundings of facet i ask for, if they do
 template <typename Wanted, typename Decide>
 std::vector<std::size_t> decide_by_surroundings(std::vector<std::size_t> undecided,
                                                 const Wanted& wanted, const Decide& decide)

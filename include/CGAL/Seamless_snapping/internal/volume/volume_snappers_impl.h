@@ -48,7 +48,7 @@ public:
       m_options(options), m_format(format), m_report(report), m_timer(timer)
   { }
 
-  // As that of `Flat_volume_snapper`.
+  // As `Flat_volume_snapper::run()`.
   std::optional<Refusal> run(std::vector<Uvw>& snapped)
   {
     if(!(m_options.grid_scale > 0 && std::isfinite(m_options.grid_scale)))
