@@ -395,7 +395,7 @@ private:
                   "the surface holds no whole cell of the grid" + remedy(m_options.how_to_refine));
   }
 
-  // A dart in each direction at a regular vertex; at others, as many darts as turns of the group. The
+  // A dart in each direction at a regular vertex; at others, as many as turns of the group. The
   // rotations around the vertex know this number modulo a full turn.
   bool is_valence_right(const std::size_t p) const
   {
