@@ -54,7 +54,7 @@ public:
   // quantization.
   bool run()
   {
-    constexpr int most_lower = 4; // rungs below the wanted one
+    constexpr int most_lower = 4; // rungs below the wanted number
     const double number =
       m_run.options.quantization.is_coarsest ? 1 : m_run.options.quantization.number_of_quads;
     if(m_run.surface.has_sizes_that_vary() || !(number >= 1))
@@ -199,7 +199,7 @@ private:
                        { return m_run.surface.original(f); });
       return refuse(m_run.report, made.status, message);
     }
-    constexpr double of_map = 8; // for each face
+    constexpr double of_map = 8; // the work of a map, for each face
     count_iterations(of_map + double(made.number_of_untangling_iterations));
     move_from_origin(m_run.mesh(), m_run.surface.uv_map());
     for(const auto& [v, w] : made.released_edges)
@@ -246,8 +246,8 @@ private:
                                    m_run.options.quantization));
   }
 
-  static constexpr int lowest_rung = -12; // of about one quad
-  static constexpr double most_to_choose = 1000; // quads
+  static constexpr int lowest_rung = -12; // the rung of about one quad
+  static constexpr double most_to_choose = 1000; // quads; of larger meshes, no maps are compared
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
 
   Remeshing_run& m_run;

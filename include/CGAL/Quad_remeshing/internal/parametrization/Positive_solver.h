@@ -267,7 +267,7 @@ private:
   // far around each time that they have not become fewer. Leaves the fewest, and returns how many.
   std::size_t stiffen_near_flips(std::vector<double>& unknowns)
   {
-    constexpr int most_rounds = 12; // of stiffening near flips
+    constexpr int most_rounds = 12; // rounds of stiffening near flips
     std::size_t edges = 20;
     const auto wanted = [&](const Corner_index h)
     { return wanted_difference(m_surface, m_angles, h); };
@@ -352,7 +352,7 @@ private:
   // If coordinates are long sums of these, edges are released before such a patch is tried.
   std::vector<std::size_t> untangle(std::vector<double>& unknowns, const Untangling how)
   {
-    constexpr std::size_t edges_around = 10; // of the faces around a flip that are untangled first
+    constexpr std::size_t edges_around = 10; // faces so near a flip are untangled first
     std::vector<std::size_t> faces(std::size_t(m_surface.number_of_faces()));
     const bool has_long_sums = m_table->has_long_sums();
     if(is_large(m_surface) || has_long_sums) {
@@ -429,7 +429,7 @@ private:
     return m_released.size() > before;
   }
 
-  static constexpr std::size_t largest_number_of_rounds = 20; // of untangling and release
+  static constexpr std::size_t largest_number_of_rounds = 20; // rounds of untangling and release
 
   Triangle_surface& m_surface;
   const std::vector<char>& m_is_cut;

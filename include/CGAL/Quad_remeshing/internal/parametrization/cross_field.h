@@ -295,7 +295,7 @@ inline Prescribed_field solve_directly(const Cross_graph& graph, const Wanted_fi
     const Prescribed_field field = system.solve(crosses);
     // A short field is near a zero, and has no direction of its own. If faces at the pole of a
     // round end kept it, all cones of the end would stay there.
-    constexpr double least_length = 0.4; // of the mean
+    constexpr double least_length = 0.4; // as a part of the mean length
     const double least = least_length * root_mean_square(graph, field);
     for(std::size_t f = 0; f < graph.size(); ++f)
       if(crosses[f] != Complex(0) && std::abs(field[f]) >= least)

@@ -444,7 +444,7 @@ inline bool cancel_cones(const Triangle_surface& surface, const Wanted_field& wa
   Prescribed_field crosses = wanted.crosses;
   for(Flat_face_index f = 0; f < surface.number_of_faces(); ++f)
     crosses[f] *= wanted.strength * surface.area[f] / mean_area[surface.component[f]];
-  constexpr double distances_around = 8; // cone distances; farther faces keep their direction
+  constexpr double distances_around = 8; // cone distances; farther faces keep their directions
   if(is_large(surface))
     fix_far_faces(surface, matching, distances_around * distance, is_fixed);
   smoothen_matched_field(surface, is_fixed, crosses, angles, matching, solver);

@@ -48,7 +48,7 @@ using Prescribed_field = std::vector<Complex>;
 
 // If a sector between two aligned edges is narrower than this, rounding would give both edges
 // the same isocurve, and the faces between them would collapse.
-constexpr double narrow_sector = 50 * pi / 180; // counts as a quarter turn
+constexpr double narrow_sector = 50 * pi / 180; // a narrower sector counts as a quarter turn
 
 // Turns the crosses of the faces in a sector to 45 degrees of its bisector, so that the edges at
 // its two sides are taken for one isocurve of each kind.

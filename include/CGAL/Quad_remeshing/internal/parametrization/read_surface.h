@@ -117,7 +117,7 @@ inline Complex cross_of_direction(const Point& direction, const Point& first_edg
   const double length = std::sqrt(inner_product(n, n));
   const double along = inner_product(e, d) * length;
   const double across = inner_product(vector_product(e, d), n);
-  constexpr double least_part = 1e-6; // of the direction
+  constexpr double least_part = 1e-6; // of the direction, in the plane of the face
   const bool is_normal =
     std::hypot(along, across) <= least_part * length * std::sqrt(inner_product(e, e)) *
                                    std::sqrt(inner_product(d, d));

@@ -71,7 +71,7 @@ public:
       Chart_mesh mesh; // that of the extractor goes
       if(!extractor.template run<CGAL::Sequential_tag>([&] { mesh = extractor.mesh(); }))
         return false;
-      constexpr double of_extraction = 2; // for each quad and each triangle
+      constexpr double of_extraction = 2; // the work for each quad and each triangle
       m_work.spend(of_extraction * double(extractor.complex().cells.size() +
                                           m_complex.corners.size() / 3));
       std::vector<Strip> strips = strips_across_double_edges(extractor.complex());
@@ -174,7 +174,7 @@ private:
                             : moves.change(f.entry, reversed(f.left));
   }
 
-  static constexpr int most_rounds = 16; // of doubling strips
+  static constexpr int most_rounds = 16; // rounds of doubling strips
 
   Intrinsic_complex& m_complex;
   const std::vector<double>& m_scales;
@@ -209,8 +209,8 @@ struct Quantized_complex
 template <typename Quantize>
 class Face_graph_search
 {
-  static constexpr int most_divisions = 2; // of each quad into four
-  static constexpr int steps_per_division = 56; // of 2.5 %
+  static constexpr int most_divisions = 2; // divisions of each quad into four
+  static constexpr int steps_per_division = 56; // steps of 2.5 %
   // the first quads that can be divided are at times half as many again as those of the next steps
   static constexpr int most_steps = (2 * most_divisions + 1) * steps_per_division / 2;
   static constexpr double tolerance = 0.05; // by which a smaller target may give more quads

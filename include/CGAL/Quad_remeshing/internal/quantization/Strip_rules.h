@@ -221,7 +221,7 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr double price_of_step = 1e-6; // prefers the shorter of two strips
-  static constexpr double weight_of_stretching = 2; // that of shear is 1
+  static constexpr double weight_of_stretching = 2; // the weight of shear is 1
 
   // The change of the map from a wanted triangle to the triangle of units if the corner opposite to
   // a halfedge moves by one.

@@ -47,7 +47,7 @@ class Border_steps
 public:
   // Edges that are nearly on an isocurve are meant to be on it. Their steps would be so low that
   // they force quads that nobody wants.
-  static constexpr double least_slope = 1e-4; // of a border edge that is not aligned
+  static constexpr double least_slope = 1e-4; // the slope of a border edge that is not aligned
 
   static bool is_needed(const Integer_mesh& mesh, const Corner_index h)
   {

@@ -346,7 +346,7 @@ public:
   {
     if(m_options.maximum_feature_loss == 0)
       return surface;
-    constexpr int most_rounds = 8; // of releasing features
+    constexpr int most_rounds = 8; // rounds of releasing features
     const double total = length_in_map(surface->input, feature_chains(surface->input));
     const double most = m_options.maximum_feature_loss * total;
     std::shared_ptr<const Coarse_surface> best = surface;

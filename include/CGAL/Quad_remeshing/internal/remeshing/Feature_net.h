@@ -67,8 +67,8 @@ public:
   // chains, a part means nothing.
   void remove_noise(const double length)
   {
-    constexpr std::size_t few = 20; // chains
-    constexpr double a_fifth = 0.2; // of the length of all chains
+    constexpr std::size_t few = 20; // chains are few
+    constexpr double a_fifth = 0.2; // as a part of the length of all chains
     std::vector<Chain> chains = make_chains();
     const bool may_be_noise =
       chains.size() > few &&

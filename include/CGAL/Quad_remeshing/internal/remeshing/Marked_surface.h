@@ -61,7 +61,7 @@ inline double angle_to_next(const Remeshing_types::Mesh& mesh, const Remeshing_t
 }
 
 // Between walls, in degrees: nearer to two quarter turns than to one.
-constexpr double flat_corner = 135; // degrees
+constexpr double flat_corner = 135; // degrees; a larger angle is no corner
 
 // A mesh, and what is known of its elements. Vertices that are added on edges get the size in
 // between, and parts of edges and faces what is known of these.

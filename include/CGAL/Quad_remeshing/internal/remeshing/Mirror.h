@@ -156,7 +156,7 @@ public:
 private:
   void find_sides()
   {
-    constexpr double nearness = 1e-3; // of the shortest edge at a vertex
+    constexpr double nearness = 1e-3; // as a part of the shortest edge at a vertex
     for(const Vertex v : m_mesh.vertices()) {
       m_distance.push_back(m_mirror.distance(m_mesh.point(v)));
       double shortest = (std::numeric_limits<double>::max)();

@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  static constexpr std::ptrdiff_t farthest = 8; // along the border, in edges
+  static constexpr std::ptrdiff_t farthest = 8; // edges along the border
 
   // From the corners of steps on.
   void remove_flat_quads()

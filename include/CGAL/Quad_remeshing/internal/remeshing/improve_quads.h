@@ -269,8 +269,8 @@ private:
   }
 
   static constexpr double thin = 0.2, flat = 0.02; // as scaled Jacobians
-  static constexpr double far_worse = 10;          // as a ratio
-  static constexpr std::size_t largest_number_of_rounds = 10; // over all thin quads
+  static constexpr double far_worse = 10;          // as a ratio of badness
+  static constexpr std::size_t largest_number_of_rounds = 10; // rounds over all thin quads
 
   Mesh& m_quads;
   Feature_map m_is_feature;

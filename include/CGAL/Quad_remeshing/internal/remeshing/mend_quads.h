@@ -252,10 +252,10 @@ private:
         m_displaced.emplace(m_vertices[i], m_places[i]);
   }
 
-  static constexpr int most_rounds = 40; // of relaxing around a quad
-  static constexpr int most_moves = 20000; // of vertices, in all
+  static constexpr int most_rounds = 40; // rounds of relaxing around a quad
+  static constexpr int most_moves = 20000; // moves of vertices, in all
   static constexpr std::size_t most_to_relax = 10; // inverted quads
-  static constexpr std::size_t most_rings = 8; // of quads, around an inverted one
+  static constexpr std::size_t most_rings = 8; // rings of quads around an inverted one
 
   Mesh& m_quads;
   Quad_smoother& m_smoother;

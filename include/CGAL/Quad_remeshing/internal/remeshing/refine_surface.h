@@ -51,8 +51,8 @@ public:
   static constexpr double number_of_squares = 5000; // the side of one is the unit of lengths
   static constexpr double squares_of_half = 15; // the largest half of a quad that stays
   static constexpr double longness = 4; // length over height of a long triangle
-  static constexpr double largest_length = 4; // units, of a large triangle
-  static constexpr double least_share = 0.2; // of the area, that such triangles cover
+  static constexpr double largest_length = 4; // units; the side of a large triangle
+  static constexpr double least_share = 0.2; // the part of the area that such triangles cover
 
   // So that a triangle that is nearly a segment becomes no more faces than a large surface has.
   static std::size_t most_new_faces(const std::size_t number_of_faces)
@@ -129,7 +129,7 @@ private:
     m_area = 0;
     for(const Face f : m_mesh.faces())
       m_area += area(f);
-    constexpr double flatness = 1e-6; // as of points that were rounded to single precision
+    constexpr double flatness = 1e-6; // enough for points in single precision
     m_height_of_flat = flatness * std::hypot(box.x_span(), box.y_span(), box.z_span());
     m_length = std::sqrt(m_area / number_of_squares);
     return m_length > 0 && std::isfinite(m_length);
@@ -236,7 +236,7 @@ private:
   bool is_flat_and_not_Delaunay(const Point& a, const Point& b, const Point& p,
                                 const Point& q) const
   {
-    constexpr double rounding = 1e-9; // of a sine
+    constexpr double rounding = 1e-9; // the error of a sine
     const Vector n = CGAL::cross_product(a - p, b - p), m = CGAL::cross_product(b - q, a - q);
     const double sine_p = std::sqrt(n.squared_length()), cosine_p = (a - p) * (b - p);
     const double sine_q = std::sqrt(m.squared_length()), cosine_q = (b - q) * (a - q);

@@ -99,8 +99,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t most_samples = 20000; // of the distance
-  static constexpr std::size_t most_quads = 50000; // in all rounds
+  static constexpr std::size_t most_samples = 20000; // samples of the distance
+  static constexpr std::size_t most_quads = 50000; // quads, counted over all rounds
   static constexpr std::size_t most_few = 1000; // quads are few up to here
   static constexpr double weight_of_distance = 2, weight_of_lines = 4; // shape has the weight 1
   static constexpr double turned_over = 1e100; // the badness of an inverted quad

@@ -163,8 +163,8 @@ public:
   // middle and the middles of its edges, and more points if quads are few.
   double measure_distance() const
   {
-    constexpr std::size_t enough_points = 100000; // in all
-    constexpr std::size_t most_parts = 64; // of the side of a quad
+    constexpr std::size_t enough_points = 100000; // samples in all
+    constexpr std::size_t most_parts = 64; // parts of the side of a quad
     std::size_t n = 2;
     while(n < most_parts && m_quads.number_of_faces() * (2 * n) * (2 * n) <= enough_points)
       n *= 2;
@@ -272,7 +272,7 @@ public:
   // The normal of a surface that is a plane, or parallel planes that face to one side; else 0.
   Space_vector unit_normal_of_plane() const
   {
-    constexpr double rounding = 1e-9; // of the unit normal
+    constexpr double rounding = 1e-9; // the error of a unit normal
     Space_vector sum{};
     double size = 0;
     for(const Face f : faces(m_surface)) {

@@ -61,7 +61,7 @@ public:
       return 0;
     divide_chords();
     find_vertices_near_by();
-    constexpr int most_rounds = 8; // of dropping lines at flips
+    constexpr int most_rounds = 8; // rounds of dropping lines at flips
     for(int round = 0; move(), drop_lines_at_flips(); ++round)
       if(round == most_rounds)
         for(Line& line : m_lines)
@@ -314,7 +314,7 @@ private:
   // Weights of the neighbors of a vertex, whose sum is 1 [Floater 2003].
   std::vector<std::pair<Vertex, double> > mean_value_weights(const Vertex v) const
   {
-    constexpr double widest = 179; // degrees, of an angle at a vertex
+    constexpr double widest = 179; // degrees, the widest angle at a vertex
     const auto tangent = [&](const Halfedge h) // of half of the angle to the next edge
     { return std::tan((std::min)(angle_to_next(m_mesh, h), widest) * CGAL_PI / 360); };
     std::vector<std::pair<Vertex, double> > result;
@@ -338,7 +338,7 @@ private:
   // flat stays so, and inside; features and what is farther stay.
   void move()
   {
-    constexpr int number_of_rounds = 50; // of moving the vertices inside
+    constexpr int number_of_rounds = 50; // rounds of moving the vertices inside
     for(const auto& [v, lines] : m_lines_at)
       m_points[v] = m_mesh.point(v);
     for(const Line& line : m_lines)

@@ -55,8 +55,8 @@ inline std::vector<double> distances_from_median(const Remeshing_types::Mesh& me
 inline std::optional<Remeshing_types::Halfedge>
 halfedge_from_far_away(const Remeshing_types::Mesh& mesh)
 {
-  constexpr double many_times = 1e6; // as far away
-  constexpr std::size_t part = 100; // of the vertices; more are no mistake
+  constexpr double many_times = 1e6; // times as far away as other vertices
+  constexpr std::size_t part = 100; // one of so many vertices; more are no mistake
   if(mesh.number_of_vertices() == 0 || !has_finite_points(mesh)) // refused later
     return std::nullopt;
   const std::vector<double> distances = distances_from_median(mesh);

@@ -39,7 +39,7 @@ public:
   // \param number of faces and quads
   static Work of_size(const double number)
   {
-    constexpr double of_each = 100; // face and quad
+    constexpr double of_each = 100; // iterations for each face and quad
     return Work((std::max)(most_work, of_each * number));
   }
 
@@ -59,8 +59,8 @@ public:
   // For the shape of quads, once so much is spent on it: some is kept for that.
   bool is_left_for_shape(const double work) const { return m_left + most_for_shape > work; }
 
-  static constexpr double most_work = 20e6; // about a minute
-  static constexpr double most_for_shape = 3e6; // kept for the shape of quads
+  static constexpr double most_work = 20e6; // iterations, about a minute
+  static constexpr double most_for_shape = 3e6; // iterations, kept for the shape of quads
 
 private:
   double m_most;
