@@ -1,5 +1,5 @@
-// Hexahedra from a complex of tetrahedra, as mesh generators return it, with a map on it: integers
-// for about the wanted number, the mesh, and its shapes.
+// Makes hexahedra from a complex of tetrahedra, as mesh generators return it, and a map of it.
+// Prints their number and their shapes.
 
 #include <CGAL/Hexahedral_meshing/IO/hexahedra.h>
 #include <CGAL/Hexahedral_meshing/hexahedral_mesh.h>
@@ -52,7 +52,7 @@ int main(int argc, char** argv)
   CGAL::Random random(1);
   const C3t3 c3t3 = mesh_of_box(random);
   const auto mesh = Meshing::cells_of_c3t3(c3t3);
-  std::vector<Point_3> points, uvw; // of vertices; of corner k of cell i, at 4 * i + k
+  std::vector<Point_3> points, uvw; // uvw at 4 * i + k: of corner k of cell i
   for(const auto vertex : mesh.vertices)
     points.push_back(bent(vertex->point()));
   for(const auto cell : mesh.cells)

@@ -1,5 +1,5 @@
-// Makes a parametrization an exact integer-grid map of about as many quads as asked for, and
-// extracts them.
+// Makes a parametrization an exact integer-grid map of about as many quads as you ask for, and
+// extracts the quads.
 
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/is_integer_grid_map.h>
@@ -31,7 +31,7 @@ int main(int argc, char* argv[])
   if(!SS::IO::read_OBJ(input, mesh, uv_map))
     return EXIT_FAILURE;
 
-  // Distances from integers are as large as they happen to be after the scaling.
+  // After the scaling, integers can be at any distance.
   const double area = QR::measure_integer_grid(mesh, uv_map).area;
   const auto snapped = SS::snap_to_seamless(
     mesh, uv_map,

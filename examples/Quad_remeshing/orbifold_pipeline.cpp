@@ -1,7 +1,7 @@
 // From a mesh to exactly seamless parametrizations: computes the four types of orbifold Tutte
 // embeddings of a sphere, which are seamless up to rounding, and snaps them. Each type has a
-// rotational symmetry of its own. In the end, makes a mesh of triangles, nearly all of valence six,
-// from one of them. Writes them as OBJ and OFF files to a folder, if one is given.
+// rotational symmetry of its own. In the end, makes a mesh of triangles from one map, with nearly
+// all vertices of valence six. Writes all results as OBJ and OFF files, if a folder is given.
 
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/is_integer_grid_map.h>
@@ -175,7 +175,7 @@ int main(int argc, char* argv[])
   all = parametrize(mesh, four, SMP::Parallelogram, uv_map) && snap<2>(mesh, uv_map) &&
         write("parallelogram") && all;
 
-  // Rotations by 180 degrees are some of those by 60 degrees.
+  // Rotations by 180 degrees are rotations by multiples of 60 degrees.
   Mesh triangles;
   all = extract_triangles(mesh, uv_map, 2000, triangles) && all;
   if(argc > 1)

@@ -1,5 +1,5 @@
-// Remeshes a triangle mesh with quads, divides these into rectangular patches, and writes the
-// points of each, as a program that fits splines would read them.
+// Remeshes a triangle mesh with quads, divides the quads into rectangular patches, and writes the
+// points of each patch, row by row, for a program that fits splines.
 
 #include <CGAL/Quad_remeshing/quad_patches.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>

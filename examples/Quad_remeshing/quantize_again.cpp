@@ -1,5 +1,5 @@
-// Quads of one surface in several numbers: it is parametrized, snapped, and made coarse once; then
-// each number costs the search for integers alone. Prints what each step takes.
+// Makes several numbers of quads of one surface: parametrizes, snaps, and coarsens it once. Then
+// each number only takes the search for integers. Prints the time of each step.
 
 #include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Quad_remeshing/quantize.h>

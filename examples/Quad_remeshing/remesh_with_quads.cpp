@@ -1,5 +1,5 @@
-// Remeshes a triangle mesh with about as many quads as asked for. The quads follow sharp edges that
-// are features.
+// Remeshes a triangle mesh with about as many quads as you ask for. The quads follow sharp edges
+// that are features.
 
 #include <CGAL/Quad_remeshing/detect_features.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>

@@ -24,7 +24,7 @@ int main(int argc, char** argv)
     std::cerr << filename << ": " << status.message << std::endl;
     return EXIT_FAILURE;
   }
-  std::vector<Point_3> uvw; // of corner k of cell i, at 4 * i + k
+  std::vector<Point_3> uvw; // at 4 * i + k: the coordinates of corner k of cell i
   for(const auto& u : mesh.uvw)
     uvw.emplace_back(u[0], u[1], u[2]);
 

@@ -1,5 +1,5 @@
-// Triangulates a box of two subdomains, gives it a parametrization as inaccurate as those of
-// solvers, and makes that exact: on boundary and interface, too.
+// Triangulates a box of two subdomains, gives it a parametrization with the errors of a solver, and
+// makes it exact, also on the boundary and on the interface.
 
 #include <CGAL/Seamless_snapping/snap_volume_to_seamless.h>
 #include <CGAL/Seamless_snapping/is_volume_seamless.h>
@@ -46,7 +46,7 @@ int main()
   const C3t3 c3t3 = mesh_of_box(random);
   const auto mesh = Snapping::cells_of_c3t3(c3t3);
 
-  std::vector<Point_3> uvw; // of corner k of cell i, at 4 * i + k
+  std::vector<Point_3> uvw; // at 4 * i + k: the coordinates of corner k of cell i
   for(const auto cell : mesh.cells)
     for(int k = 0; k < 4; ++k) {
       const Point_3& p = cell->vertex(k)->point();
