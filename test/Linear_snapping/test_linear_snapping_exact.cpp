@@ -1,6 +1,6 @@
 // What all exact decisions are made of, against rational numbers: differences with their errors,
 // sums, integers with overflow, grids, rows, and orientations. Numbers are chosen so that rounding
-// matters: neighbors, powers of two, and bounds of number types.
+// matters: neighbors, powers of two, and bounds of number types. And the messages of refusals.
 
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
@@ -8,6 +8,7 @@
 #include <CGAL/Linear_snapping/internal/exact/checked_integer.h>
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 
 #include "checking.h"
 #include "random_numbers.h"
@@ -301,6 +302,30 @@ void test_orientations()
   CHECK(degenerate > 1000 && sure > 1000);
 }
 
+// --- messages ------------------------------------------------------------------------------------
+
+// A message in words of C++, and in others, with other numbers.
+void test_messages()
+{
+  using CGAL::Linear_snapping::Message;
+  const Message message = "the edge between " + name_of_vertex(3, "vertices") + " and " +
+                          name_of_vertex(4, "") + " of " + name_of_face(5) + ", for " +
+                          term("a_name") + " 6" + remedy("call it()") + remedy("or not");
+  const std::string place = "the edge between vertices 3 and 4 of face 5, for ";
+  CHECK_EQUAL(message.str(), place + "a_name 6; call it(); or not");
+  const auto words = [](const Message::Part& part)
+    { return part.words == "a_name" ? "--name" : part.words == "call it()" ? "" : part.words; };
+  const auto number = [](const Message::Part& part)
+    { return part.index + (part.kind == Message::VERTEX ? 10 : 20); };
+  CHECK_EQUAL(message.str(words, number),
+              "the edge between vertices 13 and 14 of face 25, for --name 6; or not");
+  Message other = message.without_remedies();
+  other.renumber(Message::FACE, [](const std::size_t f) { return f + 1; });
+  CHECK_EQUAL(other.str(), "the edge between vertices 3 and 4 of face 6, for a_name 6");
+  CHECK(Message("").empty() && remedy("first").str() == "first" && !message.empty());
+  CHECK(message.find("face 5") != Message::npos && other.find("call") == Message::npos);
+}
+
 int main()
 {
   std::cout << "random seed " << seed << std::endl;
@@ -311,5 +336,6 @@ int main()
   test_grids<float>();
   test_rows();
   test_orientations();
+  test_messages();
   return report_checks();
 }
