@@ -66,7 +66,8 @@ void write_folded_quads(std::ostream& os, const std::size_t number,
                         const std::vector<std::size_t>& first, const std::string& filename)
 {
   write_bad_quads(os, number, first, filename,
-                  "folded, which means that the surface below faces the other way. ");
+                  "folded: the surface below faces the other way, or does not turn back as the quad "
+                  "and one beside it do. ");
 }
 
 void check_inverted_quads(const std::size_t number, const std::string& filename,

@@ -2577,6 +2577,7 @@ void test_attempt_without_features()
   CHECK_IN(report.message, report && report.mean_scaled_jacobian > 0.9);
   CHECK_IN(std::to_string(number_left_out), number_left_out > 0 && number_left_out < 3 * n / 2);
   CHECK(report.number_of_thin_quads <= 2 && report.number_of_displaced_vertices == 0);
+  CHECK_EQUAL(report.number_of_folded_quads, std::size_t(0));
   CHECK(report.length_of_released_edges < length / 8);
   double kept = 0;
   for(const auto e : quads.edges()) {
@@ -3185,6 +3186,124 @@ void test_quad_across_fin()
   }
 }
 
+// Quads turn back at a crest: they are folded over a plane, but not over a fin, however thin.
+void test_quads_that_turn_back()
+{
+  constexpr std::size_t rows = 2;
+  for(const double width : {0.6, 0.01, 0.}) // of the foot of a fin; 0 for a plane
+    for(const bool has_feature : {false, true}) {
+      const bool is_plane = width == 0;
+      const std::array<double, 5> x{-3, is_plane ? -0.3 : -width / 2, is_plane ? 0.1 : 0.2 * width,
+                                    is_plane ? 0.3 : width / 2, 3};
+      const auto make_columns = [&](Mesh& mesh) {
+        for(std::size_t i = 0; i < 5; ++i)
+          for(std::size_t j = 0; j <= rows; ++j)
+            mesh.add_vertex(Point_3(x[i], double(j), i == 2 && !is_plane ? 3 : 0));
+      };
+      const auto vertex = [&](const std::size_t i, const std::size_t j)
+        { return Vertex(Mesh::size_type(i * (rows + 1) + j)); };
+      const auto mark_crest = [&](const Mesh& mesh, const auto& is_marked) {
+        for(std::size_t j = 0; j < rows; ++j)
+          is_marked[mesh.edge(mesh.halfedge(vertex(2, j), vertex(2, j + 1)))] = has_feature;
+      };
+      Mesh mesh, quads;
+      make_columns(mesh);
+      make_columns(quads);
+      for(std::size_t i = 0; i < 4; ++i)
+        for(std::size_t j = 0; j < rows; ++j) {
+          mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
+          mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+          quads.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+        }
+      const auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+      const auto is_line = quads.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+      mark_crest(mesh, is_sharp);
+      mark_crest(quads, is_line);
+      const internal::Surface_to_remesh surface =
+        surface_to_remesh(mesh, parameters::edge_is_constrained_map(is_sharp));
+      scale(quads, 1 / surface.unscaled(1));
+      QR::internal::Quad_smoother smoother(quads, surface.mesh());
+      QR::internal::Upper_sides upper_sides(quads, is_line, surface, smoother);
+      for(std::size_t j = 0; j <= rows; ++j) { // after the places on the surface are known
+        const Point_3 p = quads.point(vertex(2, j));
+        quads.point(vertex(2, j)) = Point_3(p.x(), p.y(), surface.scaled(3));
+      }
+      for(const auto f : quads.faces()) {
+        const std::size_t column = std::size_t(f) / rows;
+        CHECK(!QR::internal::is_inverted(smoother.quad(f)));
+        CHECK_EQUAL(upper_sides.is_folded(f), is_plane && column == 2);
+      }
+    }
+}
+
+// Quads may turn back where the surface does: nine quads of a torus, and the two of a pillow.
+void test_coarse_quads()
+{
+  const auto check = [](const Mesh& mesh, Mesh& quads, const double largest_cosine) {
+    const internal::Surface_to_remesh surface = surface_to_remesh(mesh);
+    scale(quads, 1 / surface.unscaled(1));
+    const auto is_line = quads.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
+    const QR::internal::Quad_smoother smoother(quads, surface.mesh());
+    const QR::internal::Upper_sides upper_sides(quads, is_line, surface, smoother);
+    double least = 1; // cosine of the normals of two quads
+    for(const auto e : quads.edges()) {
+      const auto normal = [&](const Mesh::Halfedge_index h) {
+        return QR::internal::scaled_to_one(
+          QR::internal::quad_normal(smoother.quad(quads.face(h))));
+      };
+      const auto h = quads.halfedge(e);
+      least = (std::min)(least,
+                         QR::internal::inner_product(normal(h), normal(quads.opposite(h))));
+    }
+    CHECK_IN(std::to_string(least), least < largest_cosine);
+    for(const auto f : quads.faces())
+      CHECK(!upper_sides.is_folded(f));
+  };
+  const auto torus = [](const int n, const bool has_triangles) {
+    Mesh mesh;
+    const double turn = 4 * std::acos(0.) / n;
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; j < n; ++j) {
+        const double x = 3 + std::cos(turn * j);
+        mesh.add_vertex(Point_3(x * std::cos(turn * i), x * std::sin(turn * i),
+                                std::sin(turn * j)));
+      }
+    const auto vertex = [&](const int i, const int j)
+      { return Vertex(Mesh::size_type((i % n) * n + j % n)); };
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; j < n; ++j) {
+        const std::array<Vertex, 4> v{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1),
+                                      vertex(i, j + 1)};
+        if(has_triangles) {
+          mesh.add_face(v[0], v[1], v[2]);
+          mesh.add_face(v[0], v[2], v[3]);
+        } else
+          mesh.add_face(v[0], v[1], v[2], v[3]);
+      }
+    return mesh;
+  };
+  Mesh nine = torus(3, false);
+  check(torus(24, true), nine, -0.4);
+  for(const double height : {0.5, 0.05}) {
+    Mesh pillow, two;
+    std::vector<Vertex> v, w;
+    for(const auto& [x, y] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
+      v.push_back(pillow.add_vertex(Point_3(x, y, 0)));
+      w.push_back(two.add_vertex(Point_3(x, y, 0)));
+    }
+    const Vertex above = pillow.add_vertex(Point_3(0.5, 0.5, height)),
+                 below = pillow.add_vertex(Point_3(0.5, 0.5, -height));
+    for(std::size_t i = 0; i < 4; ++i) {
+      pillow.add_face(v[i], v[(i + 1) % 4], above);
+      pillow.add_face(v[(i + 1) % 4], v[i], below);
+    }
+    two.add_face(w);
+    std::reverse(w.begin(), w.end());
+    two.add_face(w);
+    check(pillow, two, -0.99);
+  }
+}
+
 // An inverted quad goes, unless it is on the border, or features around it would be folded.
 void test_collapse()
 {
@@ -3471,6 +3590,8 @@ int main()
   test_mending();
   test_folded_quads();
   test_quad_across_fin();
+  test_quads_that_turn_back();
+  test_coarse_quads();
   test_collapse();
   test_triangles();
   test_refusals();

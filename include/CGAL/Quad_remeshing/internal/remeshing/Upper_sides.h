@@ -15,9 +15,9 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Which quads lie upside down on the surface. The nearest part of the surface in space may be
-// another part, so walks over the surface find the places below a quad, from the places of its
-// corners at the extraction.
+// Which quads are folded: they lie upside down on the surface, or turn back on a neighbor although
+// the surface does not. The nearest part of the surface in space may be another part, so walks over
+// the surface find the places below a quad, from the places of its corners at the extraction.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Nearest_place_tree.h>
@@ -26,6 +26,7 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -49,16 +50,7 @@ public:
       m_starts[v] = nearest_face(v);
   }
 
-  // Whether a quad faces against the surface below it, on the average and clearly: one that is as
-  // large as a thin part has all sides of that below it. And against what is nearest, or the quads
-  // beside it.
-  bool is_folded(const Face f) const
-  {
-    constexpr double clearly = -0.5; // a cosine where the surface below is flat
-    const Quad q = m_smoother.quad(f);
-    return is_suspicious(f, q) &&
-           inner_product(scaled_to_one(quad_normal(q)), upper_side(f, q)) < clearly;
-  }
+  bool is_folded(const Face f) const { return is_upside_down(f) || turns_back(f); }
 
   // Tells the smoother where the quads are to face that are inverted or upside down: as the surface
   // does on the average. Returns their number.
@@ -68,7 +60,7 @@ public:
     for(const Face f : faces(m_quads)) {
       const Quad q = m_smoother.quad(f);
       m_smoother.upper_sides()[f] = Space_vector{};
-      if(is_folded(f) || is_inverted(q)) {
+      if(is_upside_down(f) || is_inverted(q)) {
         m_smoother.upper_sides()[f] = upper_side(f, q);
         ++number;
       }
@@ -78,6 +70,44 @@ public:
 
 private:
   const Mesh& mesh() const { return m_surface.mesh(); }
+
+  // Whether a quad faces against the surface below it, on the average and clearly: one that is as
+  // large as a thin part has all sides of that below it. And against what is nearest, or the quads
+  // beside it.
+  bool is_upside_down(const Face f) const
+  {
+    constexpr double clearly = -0.5; // a cosine where the surface below is flat
+    const Quad q = m_smoother.quad(f);
+    return is_suspicious(f, q) &&
+           inner_product(scaled_to_one(quad_normal(q)), upper_side(f, q)) < clearly;
+  }
+
+  // Whether a quad and one beside it turn back on each other, and this one faces at least as far
+  // from the surface. Quads that follow the surface turn about as far as it does, so nowhere are
+  // their normals much farther apart than the two of the surface that are farthest apart.
+  bool turns_back(const Face f) const
+  {
+    constexpr double farther = 1.25; // a difference of cosines: 105 degrees on a flat surface
+    const Quad q = m_smoother.quad(f);
+    const Space_vector own = scaled_to_one(quad_normal(q));
+    for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_quads), m_quads)) {
+      const Face g = face(opposite(h, m_quads), m_quads);
+      if(g == Mesh::null_face())
+        continue;
+      const Quad other = m_smoother.quad(g);
+      const Space_vector normal = scaled_to_one(quad_normal(other));
+      const double least = inner_product(own, normal) + farther; // cosine of the surface
+      if(least >= 1)
+        continue;
+      std::vector<Space_vector> below;
+      add_normals_below(f, q, below);
+      add_normals_below(g, other, below);
+      const Space_vector mean = mean_of(below);
+      if(inner_product(own, mean) <= inner_product(normal, mean) && least < least_cosine(below))
+        return true;
+    }
+    return false;
+  }
 
   // Whether it faces against what is nearest, or against most of the quads beside it. Walks alone
   // may be wrong where a vertex has come to a feature, and over it.
@@ -130,21 +160,51 @@ private:
     return result;
   }
 
-  // Where the surface faces below a quad: at its middle, and half way from there to each corner, as
-  // walks from all corners find it, or from those that are on no feature; the mean of the unit
-  // normals.
+  // Where the surface faces below a quad: the mean of the unit normals that walks find.
   Space_vector upper_side(const Face f, const Quad& q) const
+  { return mean_of(normals_by_walks(faces_of_corners(f), q)); }
+
+  // The surface below the middle of a quad, and half way from there to each corner.
+  std::vector<Space_vector> normals_by_walks(const std::vector<Face>& starts, const Quad& q) const
+  {
+    std::vector<Space_vector> result;
+    for(const Face start : starts)
+      for(const Space_vector& p : places(q))
+        result.push_back(unit_normal(walk(start, p)));
+    return result;
+  }
+
+  // Adds the normals that walks find, at the corners, and where the surface is nearest: each of
+  // these may be wrong, and a turn of any of them excuses a turn of the quads.
+  void add_normals_below(const Face f, const Quad& q, std::vector<Space_vector>& normals) const
+  {
+    for(const Space_vector& normal : normals_by_walks(faces_of_corners(f), q))
+      normals.push_back(normal);
+    for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
+      normals.push_back(unit_normal(face_of_surface(v)));
+    for(const Space_vector& p : places(q))
+      normals.push_back(unit_normal(m_smoother.nearest_face(p, quad_normal(q))));
+  }
+
+  Space_vector unit_normal(const Face f) const
+  { return scaled_to_one(m_smoother.normal_of_surface(f)); }
+
+  static Space_vector mean_of(const std::vector<Space_vector>& vectors)
   {
     Space_vector mean{};
-    const std::vector<Face> starts = faces_of_corners(f);
-    const std::array<Space_vector, 5> below = places(q);
-    for(const Face start : starts)
-      for(const Space_vector& p : below) {
-        const Space_vector n = scaled_to_one(m_smoother.normal_of_surface(walk(start, p)));
-        for(std::size_t c = 0; c < 3; ++c)
-          mean[c] += n[c] / double(starts.size() * below.size());
-      }
+    for(const Space_vector& v : vectors)
+      for(std::size_t c = 0; c < 3; ++c)
+        mean[c] += v[c] / double(vectors.size());
     return mean;
+  }
+
+  static double least_cosine(const std::vector<Space_vector>& normals)
+  {
+    double result = 1;
+    for(std::size_t i = 0; i < normals.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j)
+        result = (std::min)(result, inner_product(normals[i], normals[j]));
+    return result;
   }
 
   // To where no face around is nearer to a point; not over features.
