@@ -12,8 +12,6 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
-#include <boost/property_map/function_property_map.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -27,6 +25,7 @@
 #include <vector>
 
 namespace SS = CGAL::Seamless_snapping;
+using formats::Mesh_text;
 
 namespace {
 
@@ -48,9 +47,7 @@ std::string format_of(const std::string& filename, const std::string& standard_f
 template <typename UVNumber>
 SS::IO::File_status read_as(const bool weld, Model& model)
 {
-  return model.file.read<UVNumber>(
-    model.mesh, model.uv_map,
-    SS::parameters::edge_is_constrained_map(model.is_feature).weld_borders(weld));
+  return model.file.read<UVNumber>(model.mesh, model.uv_map, model.is_feature, weld);
 }
 
 // The numbers of a property of the vertices, of either type.
@@ -173,16 +170,12 @@ SS::IO::File_status write_as(const std::string& format, const Model& model, std:
 }
 
 // Whether the text reads back as the mesh, with vertices as in the file if it is of its format.
-bool reads_back(const Model& model, const SS::IO::Mesh_text& text, const bool is_of_file)
+bool reads_back(const Model& model, const Mesh_text& text, const bool is_of_file)
 {
-  const auto number = [&](const Mesh::Vertex_index v) {
-    return is_of_file ? model.file_vertices[v] : std::size_t(v);
-  };
-  const auto np = SS::parameters::edge_is_constrained_map(model.is_feature)
-                    .vertex_index_map(
-                      boost::make_function_property_map<Mesh::Vertex_index>(number));
-  return text.holds(model.mesh, model.uv_map, np) &&
-         (!model.is_float || text.holds<float>(model.mesh, model.uv_map, np));
+  const std::vector<std::size_t> numbers =
+    is_of_file ? model.file_vertices : std::vector<std::size_t>();
+  return text.holds(model.mesh, model.uv_map, model.is_feature, numbers) &&
+         (!model.is_float || text.holds<float>(model.mesh, model.uv_map, model.is_feature, numbers));
 }
 
 } // namespace
@@ -235,8 +228,8 @@ void read_model(const std::string& filename, const Reading_options& options, Mod
   const std::string text = read_file(filename);
   const std::optional<std::string> corners = with_corners(text, filename);
   model.first_number = corners ? 0 : 1;
-  model.file = corners ? SS::IO::Mesh_text(*corners, obj)
-                       : SS::IO::Mesh_text(text, is_special_file(filename) ? "" : suffix_of(filename));
+  model.file = corners ? Mesh_text(*corners, obj)
+                       : Mesh_text(text, is_special_file(filename) ? "" : suffix_of(filename));
   parse(options, model);
 }
 
@@ -244,7 +237,7 @@ void read_again(const Model& other, const Reading_options& options, Model& model
 {
   model.filename = other.filename;
   model.first_number = other.first_number;
-  model.file = SS::IO::Mesh_text(other.file.text(), other.file.format());
+  model.file = Mesh_text(other.file.text(), other.file.format());
   parse(options, model);
 }
 
@@ -295,7 +288,7 @@ std::string text_of_model(const Model& model, const std::string& filename)
                : write_as(format, model, text);
   if(!status)
     throw Failure(UNWRITABLE, filename + ": " + in_words_of_user(status.message));
-  SS::IO::Mesh_text written(std::move(text), format);
+  Mesh_text written(std::move(text), format);
   if(!reads_back(model, written, is_of_file))
     throw Failure(UNWRITABLE, filename + ": does not read back as it was written; not written");
   text = std::move(written).text();

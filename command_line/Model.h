@@ -4,8 +4,7 @@
 #define SEAMLESS_SNAPPING_COMMAND_LINE_MODEL_H
 
 #include "maps/surface_types.h"
-
-#include <CGAL/Seamless_snapping/IO/Mesh_text.h>
+#include "formats/Mesh_text.h"
 
 #include <array>
 #include <cstddef>
@@ -26,7 +25,7 @@ struct Model
 
   // Of the file; a model that does not come from one leaves these empty.
   std::string filename;
-  CGAL::Seamless_snapping::IO::Mesh_text file;
+  formats::Mesh_text file;
   bool is_float = false; // whether the coordinates are floats
   bool is_mirrored = false; // u and v are exchanged here, as most of the area is flipped in the file
   std::vector<std::size_t> file_vertices; // for each vertex of the mesh, counted from 0

@@ -5,7 +5,6 @@
 #include "plain_meshes.h"
 #include "words.h"
 
-#include <CGAL/Seamless_snapping/IO/Mesh_text.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <algorithm>
@@ -27,7 +26,7 @@ namespace {
 
 using Vertex = Mesh::Vertex_index;
 using Face = Mesh::Face_index;
-using CGAL::Seamless_snapping::IO::Mesh_text;
+using formats::Mesh_text;
 
 // The corners of a face, in the order of the coordinates of a location.
 std::array<Halfedge, 3> corners(const Mesh& mesh, const Face f)

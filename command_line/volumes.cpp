@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "files.h"
 #include "json_report.h"
+#include "formats/HEXEX_rewriter.h"
 #include "words.h"
 
 #include <CGAL/Seamless_snapping/IO/HEXEX.h>
@@ -127,7 +128,7 @@ struct Volume
       throw Failure(UNREADABLE, filename + ": the file has changed since it was read");
     write_file(output, [&](std::ostream& os) {
       read_from([&](std::istream& is) {
-        if(const auto status = Snapping::IO::rewrite_HEXEX(is, os, mesh.uvw); !status)
+        if(const auto status = formats::rewrite_HEXEX(is, os, mesh.uvw); !status)
           throw Failure(UNWRITABLE, output + ": " + in_words_of_user(status.message));
       });
     });

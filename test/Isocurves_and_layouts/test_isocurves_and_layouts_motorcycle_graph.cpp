@@ -20,7 +20,6 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -783,8 +782,6 @@ std::string all_texts(const std::string& path, const bool is_far)
      << IL::IO::write_layout(os, graph) << '\n'
      << IL::IO::write_OBJ(os, file.mesh, file.uv) << '\n'
      << IL::IO::write_PLY(os, file.mesh, file.uv) << '\n';
-  std::ifstream original(path);
-  os << IL::IO::rewrite_OBJ(original, os, file.mesh, file.uv) << '\n';
   return os.str();
 }
 

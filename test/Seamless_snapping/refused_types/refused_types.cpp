@@ -78,14 +78,10 @@ void call_all(M& mesh, Uv_map uv)
   QR::IO::read_OBJ(name, mesh, uv);
   QR::IO::write_OBJ(stream, mesh, uv);
   QR::IO::write_OBJ(name, mesh, uv, name);
-  QR::IO::rewrite_OBJ(stream, stream, mesh, uv);
-  QR::IO::rewrite_OBJ(name, name, mesh, uv);
   QR::IO::read_PLY(stream, mesh, uv);
   QR::IO::read_PLY(name, mesh, uv);
   QR::IO::write_PLY(stream, mesh, uv);
   QR::IO::write_PLY(name, mesh, uv, name);
-  QR::IO::rewrite_PLY(stream, stream, mesh, uv);
-  QR::IO::rewrite_PLY(name, name, mesh, uv);
 
   std::vector<QR::Isocurve<M> > curves;
   QR::trace_all_separatrices(mesh, uv, std::back_inserter(curves));

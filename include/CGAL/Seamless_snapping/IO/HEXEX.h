@@ -24,11 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <ios>
-#include <istream>
-#include <ostream>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -115,92 +111,6 @@ inline std::string text_of_mesh(const IO::HEXEX_mesh& mesh)
   return text;
 }
 
-struct Uvw_collector
-{
-  std::vector<std::array<double, 3> > uvw;
-  std::size_t size = 0;
-
-  void start(const std::size_t number_of_corners) { uvw.reserve(number_of_corners); }
-  void visit(std::string_view, const double x, bool)
-  {
-    if(size % 3 == 0)
-      uvw.emplace_back();
-    uvw[size / 3][size % 3] = x;
-    ++size;
-  }
-};
-
-inline IO::HEXEX_mesh mesh_of_text(const std::string& text)
-{
-  Uvw_collector collector;
-  IO::HEXEX_mesh mesh = HEXEX_parser<IO::HEXEX_mesh, Uvw_collector>(text, collector).parse();
-  mesh.uvw.swap(collector.uvw);
-  return mesh;
-}
-
-// Copies a text with other coordinates piece by piece: a large one is not in memory twice.
-// Coordinates that stay keep their digits.
-class HEXEX_rewriter
-{
-public:
-  HEXEX_rewriter(const std::string& original, std::ostream& os,
-                 const std::vector<std::array<double, 3> >& uvw)
-    : m_original(original), m_os(os), m_uvw(uvw)
-  { }
-
-  // All refusals come from the first of two passes, before anything is written.
-  void run()
-  {
-    parse();
-    m_writes = true;
-    m_size = 0;
-    parse();
-    write_until(m_original.size());
-    if(!m_os.flush())
-      throw File_refusal(0, "cannot write to the stream");
-  }
-
-  void start(const std::size_t number_of_corners) const
-  {
-    if(m_uvw.size() != number_of_corners)
-      throw File_refusal(0, "the original has " + std::to_string(number_of_corners) +
-                         " corners, and there are coordinates for " +
-                         std::to_string(m_uvw.size()));
-  }
-
-  void visit(const std::string_view token, const double x, const bool is_rounded)
-  {
-    const double to = m_uvw[m_size / 3][m_size % 3];
-    ++m_size;
-    if(x == to && !is_rounded)
-      return;
-    m_number.clear();
-    append_number(to, m_number); // refuses those that are not finite
-    if(!m_writes)
-      return;
-    write_until(std::size_t(token.data() - m_original.data()));
-    m_os << m_number;
-    m_copied += token.size();
-  }
-
-private:
-  void parse() { HEXEX_parser<IO::HEXEX_mesh, HEXEX_rewriter>(m_original, *this).parse(); }
-
-  void write_until(const std::size_t end)
-  {
-    m_os.write(m_original.data() + m_copied, static_cast<std::streamsize>(end - m_copied));
-    m_copied = end;
-  }
-
-  const std::string& m_original;
-  std::ostream& m_os;
-  const std::vector<std::array<double, 3> >& m_uvw;
-  std::string m_number;
-  std::size_t m_size = 0;   // coordinates so far
-  std::size_t m_copied = 0; // the original, up to this position
-  bool m_writes = false;
-};
-
 } // namespace internal
 /// \endcond
 
@@ -237,7 +147,7 @@ template <typename Source>
 File_status read_HEXEX(Source&& source, HEXEX_mesh& mesh)
 {
   return internal::status_of_writing([&] {
-    mesh = internal::mesh_of_text(internal::text_of(source));
+    mesh = internal::HEXEX_parser<HEXEX_mesh>(internal::text_of(source)).parse();
   });
 }
 
@@ -266,34 +176,6 @@ File_status write_HEXEX(Target&& output, const HEXEX_mesh& mesh)
 {
   return internal::status_of_writing([&] {
     internal::write_text(output, internal::text_of_mesh(mesh));
-  });
-}
-
-/*!
-\ingroup PkgSeamlessSnappingIO
-
-\brief copies a file in the HEXEX format with other coordinates.
-
-The rest of the file stays as it is: walls, features, and any further content. Fractions that are
-not representable as `double`s become the decimal numbers that were read.
-
-\param original a stream with the file that `uvw` was read from
-\param os receives the copy
-\param uvw the coordinates of each corner
-
-\return a status that converts to `true` if the copy was written; otherwise it holds the reason: the
-        original is malformed, the number of coordinates is not its number of corners, or a
-        coordinate is not finite. Then nothing is written.
-
-\par Complexity
-Linear in the size of the file.
-*/
-inline File_status rewrite_HEXEX(std::istream& original, std::ostream& os,
-                                 const std::vector<std::array<double, 3> >& uvw)
-{
-  return internal::status_of_writing([&] {
-    const std::string text = internal::text_of(original);
-    internal::HEXEX_rewriter(text, os, uvw).run();
   });
 }
 

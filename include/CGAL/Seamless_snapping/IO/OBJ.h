@@ -20,7 +20,6 @@
 
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_parser.h>
-#include <CGAL/Seamless_snapping/internal/IO/OBJ_rewriter.h>
 #include <CGAL/Seamless_snapping/internal/IO/mesh_texts.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
@@ -184,58 +183,6 @@ File_status write_OBJ(Target&& output, const TriangleMesh& tmesh, HalfedgeUVMap 
       return internal::text_of_surface<internal::OBJ_text>(
         tmesh, uv_map, comments, internal::strip(np, internal::file_parameters));
     });
-}
-
-/*!
-\ingroup PkgSeamlessSnappingIO
-
-\brief copies a file in the OBJ format with other texture coordinates.
-
-The function replaces the numbers of `vt` statements that differ from the coordinates of the mesh.
-If corners that shared a statement have different coordinates now, further `vt` statements follow,
-and the indices of `f` and `l` statements change. The rest of the file stays as it is, byte for
-byte: order, materials, groups, smoothing, normals, colors, polylines, comments, and the digits of
-numbers. `write_OBJ()`, by contrast, writes only the data of the mesh. The new numbers read back bit
-for bit.
-
-\tparam Source,Target as for `read_OBJ()` and `write_OBJ()`
-\tparam TriangleMesh a model of `FaceListGraph`
-\tparam HalfedgeUVMap a model of `HalfedgeUVMap` for `TriangleMesh`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-
-\param original a stream, or the name of the file, from which the mesh was read by `read_OBJ()`,
-       into an empty mesh
-\param output the output stream, or the name of the file, which may be the name of the original
-\param tmesh the mesh, with the faces and points of the file
-\param uv_map the coordinates of the corner at the target of each halfedge that is not on the border
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` of
-       `write_OBJ()`, and the one listed below
-
-\cgalNamedParamsBegin
-  \cgalParamNBegin{weld_borders}
-    \cgalParamDescription{whether faces of the new file share the vertices that `read_OBJ()` joins
-                          with this parameter. The statements of the other vertices stay, but no
-                          face uses them.}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-\cgalNamedParamsEnd
-
-\return a status that converts to `true` if the file was written; otherwise it holds the reason:
-         the original cannot be read, the mesh has other faces than the file, or a coordinate is not
-         finite. Then nothing is written.
-
-\par Complexity
-Linear in the size of the file, as long as each vertex has few different coordinates.
-*/
-template <typename Source, typename Target, typename TriangleMesh, typename HalfedgeUVMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-File_status rewrite_OBJ(Source&& original, Target&& output, const TriangleMesh& tmesh,
-                        HalfedgeUVMap uv_map,
-                        const NamedParameters& np = CGAL::parameters::default_values())
-{
-  return internal::rewrite_mesh<internal::OBJ_parser, internal::OBJ_rewriter>(
-    original, output, tmesh, uv_map, np);
 }
 
 /// \cond SKIP_IN_MANUAL

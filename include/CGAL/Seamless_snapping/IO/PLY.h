@@ -19,7 +19,6 @@
 
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
-#include <CGAL/Seamless_snapping/internal/IO/PLY_rewriter.h>
 #include <CGAL/Seamless_snapping/internal/IO/mesh_texts.h>
 #include <CGAL/Seamless_snapping/internal/IO/text_and_mesh.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
@@ -81,29 +80,6 @@ File_status write_PLY(Target&& output, const TriangleMesh& tmesh, HalfedgeUVMap 
       return internal::text_of_surface<internal::PLY_text>(
         tmesh, uv_map, comments, internal::strip(np, internal::file_parameters));
     });
-}
-
-/*!
-\ingroup PkgSeamlessSnappingIO
-
-\brief copies a file in the PLY format with other texture coordinates.
-
-The function replaces the numbers of the lists `texcoord` that differ from the coordinates of the
-mesh. If the lists have the type `float` and cannot represent the numbers, their type becomes
-`double`. The rest of the file stays as it is. Template parameters, parameters, named parameters,
-and return value are as for `rewrite_OBJ()`.
-
-\par Complexity
-Linear in the size of the file.
-*/
-template <typename Source, typename Target, typename TriangleMesh, typename HalfedgeUVMap,
-          typename NamedParameters = CGAL::parameters::Default_named_parameters>
-File_status rewrite_PLY(Source&& original, Target&& output, const TriangleMesh& tmesh,
-                        HalfedgeUVMap uv_map,
-                        const NamedParameters& np = CGAL::parameters::default_values())
-{
-  return internal::rewrite_mesh<internal::PLY_parser, internal::PLY_rewriter>(
-    original, output, tmesh, uv_map, np);
 }
 
 /// \cond SKIP_IN_MANUAL

@@ -19,7 +19,6 @@
 // lines.
 
 #include <CGAL/Seamless_snapping/types/File_status.h>
-#include <CGAL/Seamless_snapping/types/Polygon_soup.h>
 
 #include <array>
 #include <cstddef>
@@ -35,7 +34,13 @@ namespace internal {
 using Soup_index = std::uint32_t;
 constexpr Soup_index largest_soup_index = static_cast<Soup_index>(-2); // -1 stands for none
 
-// All indices count from 0.
+// A segment of a polyline. All indices count from 0.
+struct Soup_segment
+{
+  std::array<std::size_t, 2> vertices;
+  std::size_t line; // counted from 1; 0 in files that are not made of lines
+};
+
 template <typename PointNumber, typename UVNumber>
 struct Corner_soup
 {
@@ -46,22 +51,29 @@ struct Corner_soup
     Soup_index line; // 0 in files that are not made of lines
   };
 
-  using Segment = IO::Polygon_soup::Segment;
-
   std::vector<std::array<PointNumber, 3> > points;
   std::vector<std::array<UVNumber, 2> > uvs;
   std::vector<Triangle> triangles;
-  std::vector<Segment> segments;
+  std::vector<Soup_segment> segments;
   std::vector<std::size_t> vertex_names; // for messages, per point; empty: as in the file
-  bool is_welded = false; // whether vertices are no longer all those of the file
 
   const std::vector<Triangle>& faces() const { return triangles; }
 };
 
 // Without coordinates, and with faces of any number of corners: plain meshes.
 template <>
-struct Corner_soup<double, void> : IO::Polygon_soup
+struct Corner_soup<double, void>
 {
+  struct Polygon
+  {
+    std::vector<std::size_t> vertices;
+    std::size_t line = 0;
+  };
+
+  std::vector<std::array<double, 3> > points;
+  std::vector<Polygon> polygons;
+  std::vector<Soup_segment> segments;
+
   const auto& faces() const { return polygons; }
 };
 

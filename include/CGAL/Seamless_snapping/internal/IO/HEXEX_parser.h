@@ -173,20 +173,16 @@ private:
 // A file holds: the number of vertices, and their points; the number of cells, and for each four
 // vertices and the coordinates of its corners. Then perhaps the number of walls alone in a line,
 // and three vertices and a distance for each; and perhaps the numbers of feature vertices, edges
-// and facets in a line, and their vertices. The coordinates of corners, which are most of a file,
-// go to a visitor: its `start(number_of_corners)` is called before the first one, and then
-// `visit(token, number, is_rounded)` for each. The rest of the file is between these tokens and
-// behind them.
+// and facets in a line, and their vertices.
 // \tparam Mesh `IO::HEXEX_mesh`
-template <typename Mesh, typename Visitor>
+template <typename Mesh>
 class HEXEX_parser
 {
 public:
-  HEXEX_parser(const std::string_view text, Visitor& visitor)
-    : m_scanner(text), m_size_of_text(text.size()), m_visitor(visitor)
+  explicit HEXEX_parser(const std::string_view text)
+    : m_scanner(text), m_size_of_text(text.size())
   { }
 
-  // All but the coordinates of corners.
   Mesh parse()
   {
     read_points();
@@ -210,7 +206,6 @@ private:
     const std::string_view token = m_scanner.next();
     if(token.empty())
       m_scanner.refuse("the file ends where a coordinate should be");
-    m_token = token;
     return parse_number_or_fraction(m_scanner, token, m_is_rounded);
   }
 
@@ -235,14 +230,16 @@ private:
   {
     const std::size_t size = next_count("the number of cells");
     m_mesh.tetrahedra.resize(size);
-    m_visitor.start(4 * size);
+    m_mesh.uvw.reserve(4 * size);
     for(std::array<std::int32_t, 4>& cell : m_mesh.tetrahedra) {
       for(std::int32_t& v : cell)
         v = next_vertex();
-      for(int i = 0; i < 12; ++i) {
-        const double x = next_number();
-        m_visitor.visit(m_token, x, m_is_rounded);
-        m_mesh.number_of_rounded_coordinates += m_is_rounded ? 1 : 0;
+      for(int i = 0; i < 4; ++i) {
+        m_mesh.uvw.emplace_back();
+        for(double& x : m_mesh.uvw.back()) {
+          x = next_number();
+          m_mesh.number_of_rounded_coordinates += m_is_rounded ? 1 : 0;
+        }
       }
     }
   }
@@ -287,9 +284,7 @@ private:
 
   Word_scanner m_scanner;
   std::size_t m_size_of_text;
-  std::string_view m_token;
   bool m_is_rounded = false;
-  Visitor& m_visitor;
   Mesh m_mesh;
 };
 

@@ -55,7 +55,6 @@ public:
   Soup parse();
 
 private:
-  using Segment = typename Soup::Segment;
   static constexpr bool has_uvs = !std::is_void_v<UVNumber>;
 
   // A fourth number is a weight, unless it begins a color, which is dropped.
@@ -155,7 +154,7 @@ private:
   void parse_polyline()
   {
     std::size_t count = 0;
-    Segment segment{};
+    Soup_segment segment{};
     segment.line = m_scanner.line();
     for(std::string_view token; !(token = m_scanner.next_token()).empty();) {
       const std::size_t slash = token.find('/'); // in an element v/vt
@@ -210,7 +209,7 @@ private:
         for(const std::size_t uv : face.uvs)
           check_index(uv, m_soup.uvs.size(), "texture coordinate", face.line);
     }
-    for(const Segment& segment : m_soup.segments)
+    for(const Soup_segment& segment : m_soup.segments)
       for(const std::size_t vertex : segment.vertices)
         check_index(vertex, m_soup.points.size(), "vertex", segment.line);
   }

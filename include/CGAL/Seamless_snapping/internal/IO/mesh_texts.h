@@ -18,10 +18,10 @@
 // From a mesh with its property maps to the text of a file: the steps of `write_OBJ()` and of
 // `write_PLY()`.
 
+#include <CGAL/Seamless_snapping/internal/IO/Distinct_uvs.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
-#include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
 
 #include <algorithm>
 #include <array>

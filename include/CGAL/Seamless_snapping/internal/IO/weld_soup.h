@@ -112,7 +112,6 @@ void replace_vertices(const std::vector<std::size_t>& welded, Soup& soup)
   for(auto& segment : soup.segments)
     for(std::size_t& vertex : segment.vertices)
       vertex = welded[vertex];
-  soup.is_welded = true;
 }
 
 // Makes the soup a surface that a halfedge data structure can hold: welds it, if asked to, and

@@ -1,30 +1,17 @@
-// Copyright (c) 2026
-// The Seamless_snapping authors.
-//
-// This file is part of the Seamless_snapping package, written to become part of CGAL
-// (www.cgal.org).
-//
-// $URL$
-// $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Seamless_snapping authors
-
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_PLY_REWRITER_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_PLY_REWRITER_H
-
-#include <CGAL/license/Seamless_snapping.h>
-
 // The text of a PLY file with other texture coordinates. The rest stays as it is, byte for byte.
 // Only the type of the coordinates can change, from `float` to `double`.
+
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_PLY_REWRITER_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_PLY_REWRITER_H
+
+#include "Text_copy.h"
+#include "parsers_of_library.h"
 
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
-#include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -33,25 +20,16 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Seamless_snapping {
-namespace internal {
+namespace formats {
 
-template <typename Soup>
 class PLY_rewriter
 {
 public:
-  using UV = std::array<double, 2>;
-
-  // `soup` is what `text` holds, with coordinates as `double`s, perhaps welded; `for_each_uv(f)`
-  // calls `f()` with the new coordinates of its corners.
-  template <typename For_each_uv>
-  PLY_rewriter(const std::string_view text, const Soup& soup, const For_each_uv& for_each_uv)
+  // `soup` is the content of `text`, perhaps welded; `uvs` are the new coordinates of its corners.
+  PLY_rewriter(const std::string_view text, const Soup& soup, const std::vector<UV>& uvs)
     : m_header(PLY_header_parser(text).parse()), m_values(text, m_header), m_soup(soup),
-      m_copy(text)
-  {
-    for_each_uv([this](const UV& uv) { m_uvs.push_back(uv); });
-  }
+      m_uvs(uvs), m_copy(text)
+  { }
 
   // To be called once. Throws if a coordinate is not finite.
   std::string rewrite()
@@ -162,13 +140,11 @@ private:
   PLY_header m_header;
   PLY_values m_values;
   const Soup& m_soup;
-  std::vector<UV> m_uvs;
+  const std::vector<UV>& m_uvs;
   PLY_type m_uv_type = PLY_type::DOUBLE;
   Text_copy m_copy;
 };
 
-} // namespace internal
-} // namespace Seamless_snapping
-} // namespace CGAL
+} // namespace formats
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_PLY_REWRITER_H
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_PLY_REWRITER_H

@@ -1,32 +1,19 @@
-// Copyright (c) 2026
-// The Seamless_snapping authors.
-//
-// This file is part of the Seamless_snapping package, written to become part of CGAL
-// (www.cgal.org).
-//
-// $URL$
-// $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Seamless_snapping authors
-
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OBJ_REWRITER_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OBJ_REWRITER_H
-
-#include <CGAL/license/Seamless_snapping.h>
-
 // The text of an OBJ file with other texture coordinates. The rest stays as it is, byte for byte.
 //
 // A `vt` statement keeps its place, and its digits if its numbers stay. If corners that share a
 // statement get different coordinates, further statements follow it; later statements then have
 // higher indices.
 
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_OBJ_REWRITER_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_OBJ_REWRITER_H
+
+#include "Text_copy.h"
+#include "parsers_of_library.h"
+
 #include <CGAL/Linear_snapping/internal/support/Lists.h>
-#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
-#include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
+#include <CGAL/Seamless_snapping/internal/IO/Distinct_uvs.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
-#include <CGAL/Seamless_snapping/internal/IO/rewriting.h>
 
 #include <charconv>
 #include <cstddef>
@@ -34,19 +21,14 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Seamless_snapping {
-namespace internal {
+namespace formats {
 
 // The places of the coordinates: each old `vt` statement becomes one or more.
 class OBJ_uv_layout
 {
 public:
-  using UV = Distinct_uvs::UV;
-
-  // `for_each_uv(f)` calls `f()` with the new coordinates of all corners.
-  template <typename Soup, typename For_each_uv>
-  OBJ_uv_layout(const Soup& soup, const For_each_uv& for_each_uv)
+  // `uvs` are the new coordinates of all corners.
+  OBJ_uv_layout(const Soup& soup, const std::vector<UV>& uvs)
     : m_first(1, 0)
   {
     const std::size_t n = soup.uvs.size(); // old statements
@@ -55,13 +37,12 @@ public:
     if(n + 3 * soup.triangles.size() > largest_soup_index)
       throw File_refusal(0, "the file is too large; nothing is written");
     m_index.reserve(3 * soup.triangles.size());
-    for_each_uv([&](const UV& uv) {
-      const std::size_t c = m_index.size(), old = soup.triangles[c / 3].uvs[c % 3];
-      const std::size_t i = distinct.insert(old, uv);
+    for(std::size_t c = 0; c < uvs.size(); ++c) {
+      const std::size_t old = soup.triangles[c / 3].uvs[c % 3], i = distinct.insert(old, uvs[c]);
       m_index.push_back(Soup_index(i));
       if(i == old_index.size())
         old_index.push_back(old);
-    });
+    }
 
     const Lists<std::size_t> by_statement(n, [&](const auto& add) {
       for(std::size_t i = 0; i < old_index.size(); ++i)
@@ -98,23 +79,19 @@ private:
   std::vector<bool> m_is_used;
 };
 
-template <typename Soup>
 class OBJ_rewriter
 {
 public:
-  using UV = OBJ_uv_layout::UV;
-
-  // `soup` is what `text` holds, with coordinates as `double`s, perhaps welded; `for_each_uv(f)`
-  // calls `f()` with the new coordinates of its corners.
-  template <typename For_each_uv>
-  OBJ_rewriter(const std::string_view text, const Soup& soup, const For_each_uv& for_each_uv)
-    : m_soup(soup), m_layout(soup, for_each_uv), m_scanner(text), m_copy(text)
+  // `soup` is the content of `text`, perhaps welded; `uvs` are the new coordinates of its corners.
+  OBJ_rewriter(const std::string_view text, const Soup& soup, const std::vector<UV>& uvs)
+    : m_soup(soup), m_layout(soup, uvs), m_scanner(text), m_copy(text)
   { }
 
   // To be called once. Throws if a coordinate is not finite.
-  std::string rewrite()
+  // \param is_welded whether vertices of the soup are no longer all vertices of the text
+  std::string rewrite(const bool is_welded)
   {
-    const bool keeps_indices = m_layout.keeps_indices() && !m_soup.is_welded;
+    const bool keeps_indices = m_layout.keeps_indices() && !is_welded;
     for(std::string_view keyword = m_scanner.next_statement();
         !keyword.empty() && !(keeps_indices && m_number_of_uvs == m_soup.uvs.size());
         keyword = m_scanner.next_statement()) {
@@ -169,7 +146,7 @@ private:
 
   void rewrite_face()
   {
-    const typename Soup::Triangle& triangle = m_soup.triangles[m_number_of_triangles];
+    const Soup::Triangle& triangle = m_soup.triangles[m_number_of_triangles];
     for(std::size_t i = 0; i < 3; ++i) {
       const std::string_view token = m_scanner.next_token();
       const std::size_t first = token.find('/'), second = token.find('/', first + 1);
@@ -234,8 +211,6 @@ private:
               m_number_of_segments = 0; // so far
 };
 
-} // namespace internal
-} // namespace Seamless_snapping
-} // namespace CGAL
+} // namespace formats
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_OBJ_REWRITER_H
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_OBJ_REWRITER_H

@@ -10,59 +10,21 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_REWRITING_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_REWRITING_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_DISTINCT_UVS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_DISTINCT_UVS_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Tools of the functions that write files: a copy of a text in which parts are replaced, and
-// corners that share a place.
+// Coordinates of corners that share a place, for writing: equal ones are held once.
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-// Tells 0 from -0.
-inline bool is_same_number(const double x, const double y)
-{
-  return x == y && std::signbit(x) == std::signbit(y);
-}
-
-// Parts are replaced in the order of the text.
-class Text_copy
-{
-public:
-  explicit Text_copy(const std::string_view text)
-    : m_text(text)
-  {
-    m_result.reserve(text.size() + text.size() / 8);
-  }
-
-  // Copies what is in front of `old`, a part of the text, and puts `replacement` in its place.
-  void replace(const std::string_view old, const std::string& replacement)
-  {
-    const std::size_t begin = static_cast<std::size_t>(old.data() - m_text.data());
-    m_result.append(m_text.substr(m_copied, begin - m_copied)).append(replacement);
-    m_copied = begin + old.size();
-  }
-
-  // Copies the rest.
-  std::string take() { return std::move(m_result.append(m_text.substr(m_copied))); }
-
-private:
-  std::string_view m_text;
-  std::string m_result;
-  std::size_t m_copied = 0; // up to this position
-};
 
 // Coordinates under keys from 0 to n - 1. Equal coordinates under one key are held once.
 class Distinct_uvs
@@ -104,4 +66,4 @@ private:
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_REWRITING_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_DISTINCT_UVS_H

@@ -1,39 +1,32 @@
-// Copyright (c) 2026
-// The Seamless_snapping authors.
-//
-// This file is part of the Seamless_snapping package, written to become part of CGAL
-// (www.cgal.org).
-//
-// $URL$
-// $Id$
-// SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : The Seamless_snapping authors
+// Meshes without coordinates per corner: the text of a file, in the format OBJ, PLY, OFF, or STL, as
+// polygons. They need not form a surface.
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_SOUP_PARSERS_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_SOUP_PARSERS_H
+#ifndef SEAMLESS_SNAPPING_COMMAND_LINE_POLYGON_PARSERS_H
+#define SEAMLESS_SNAPPING_COMMAND_LINE_POLYGON_PARSERS_H
 
-#include <CGAL/license/Seamless_snapping.h>
+#include "parsers_of_library.h"
 
-// Reads the formats OFF and STL, which have no coordinates per corner.
-
-#include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
-#include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
+#include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
+#include <CGAL/Seamless_snapping/internal/IO/OBJ_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/OBJ_scanner.h>
 #include <CGAL/Seamless_snapping/internal/IO/PLY_header.h>
+#include <CGAL/Seamless_snapping/internal/IO/PLY_parser.h>
 #include <CGAL/Seamless_snapping/internal/IO/decimal_numbers.h>
+#include <CGAL/Seamless_snapping/internal/IO/file_access.h>
 
 #include <boost/algorithm/string/predicate.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
-namespace CGAL {
-namespace Seamless_snapping {
-namespace internal {
+namespace formats {
+
+using Polygons = Corner_soup<double, void>;
 
 inline std::array<double, 3> parse_point(OBJ_scanner& scanner, std::string_view token)
 {
@@ -57,7 +50,7 @@ inline std::size_t parse_count(const OBJ_scanner& scanner, const std::string_vie
 }
 
 // The format OFF: a line for each point and each face. What follows in it, as colors, is skipped.
-inline Corner_soup<double, void> parse_OFF(const std::string_view text)
+inline Polygons parse_OFF(const std::string_view text)
 {
   OBJ_scanner scanner(text); // comments and lines are as in OBJ files
   const std::string_view head = scanner.next_statement();
@@ -80,7 +73,7 @@ inline Corner_soup<double, void> parse_OFF(const std::string_view text)
       scanner.refuse("the file ends before " + what);
     return first;
   };
-  Corner_soup<double, void> soup;
+  Polygons soup;
   for(std::size_t i = 0; i < number_of_points; ++i)
     soup.points.push_back(parse_point(scanner, next_line("point " + std::to_string(i))));
   for(std::size_t i = 0; i < number_of_faces; ++i) {
@@ -98,7 +91,7 @@ inline Corner_soup<double, void> parse_OFF(const std::string_view text)
 }
 
 inline void add_triangle(const std::array<std::array<double, 3>, 3>& points, const std::size_t line,
-                         Corner_soup<double, void>& soup)
+                         Polygons& soup)
 {
   const std::size_t n = soup.points.size();
   soup.points.insert(soup.points.end(), points.begin(), points.end());
@@ -106,10 +99,10 @@ inline void add_triangle(const std::array<std::array<double, 3>, 3>& points, con
 }
 
 // Only what stands at 'vertex' matters. Some programs write capitals.
-inline Corner_soup<double, void> parse_STL_text(const std::string_view text)
+inline Polygons parse_STL_text(const std::string_view text)
 {
   OBJ_scanner scanner(text);
-  Corner_soup<double, void> soup;
+  Polygons soup;
   std::array<std::array<double, 3>, 3> points;
   std::size_t n = 0, line = 0;
   for(std::string_view keyword; !(keyword = scanner.next_statement()).empty();) {
@@ -140,9 +133,9 @@ inline std::size_t number_of_binary_STL_faces(const std::string_view text)
                                                  PLY_format::LITTLE_ENDIAN_BYTES);
 }
 
-inline Corner_soup<double, void> parse_binary_STL(const std::string_view text)
+inline Polygons parse_binary_STL(const std::string_view text)
 {
-  Corner_soup<double, void> soup;
+  Polygons soup;
   const std::size_t number = number_of_binary_STL_faces(text);
   for(std::size_t i = 0; i < number; ++i) {
     if(text.size() < size_of_STL_head + (i + 1) * size_of_STL_face)
@@ -168,7 +161,7 @@ inline bool begins_with_solid(const std::string_view text)
 { return boost::istarts_with(text, "solid"); }
 
 // Some programs begin binary files with "solid", too: these have zeros, or the size that they tell.
-inline Corner_soup<double, void> parse_STL(const std::string_view text)
+inline Polygons parse_STL(const std::string_view text)
 {
   const bool is_binary =
     text.size() >= size_of_STL_head &&
@@ -176,8 +169,53 @@ inline Corner_soup<double, void> parse_STL(const std::string_view text)
   return is_binary ? parse_binary_STL(text) : parse_STL_text(text);
 }
 
-} // namespace internal
-} // namespace Seamless_snapping
-} // namespace CGAL
+inline std::string format_of_polygons(const std::string_view text)
+{
+  if(text.substr(0, 3) == "ply")
+    return "ply";
+  if(begins_with_solid(text) || has_size_of_binary_STL(text))
+    return "stl";
+  // OFF files may begin with comments of the same form as in OBJ files
+  return OBJ_scanner(text).next_statement().find("OFF") == text.npos ? "obj" : "off";
+}
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_IO_SOUP_PARSERS_H
+inline Polygons parse_polygons(const std::string_view text, const std::string& format)
+{
+  if(format == "obj")
+    return OBJ_parser<double, void>(text).parse();
+  if(format == "ply")
+    return PLY_parser<double, void>(text).parse();
+  return format == "off" ? parse_OFF(text) : parse_STL(text);
+}
+
+inline void check_polygons(const Polygons& soup)
+{
+  if(soup.polygons.empty())
+    throw File_refusal(0, "the file has no face");
+  for(std::size_t i = 0; i < soup.points.size(); ++i)
+    for(const double x : soup.points[i])
+      if(!std::isfinite(x))
+        throw File_refusal(0, "vertex " + std::to_string(i) + " has a NaN or infinite coordinate");
+  for(std::size_t i = 0; i < soup.polygons.size(); ++i)
+    for(const std::size_t v : soup.polygons[i].vertices)
+      if(v >= soup.points.size())
+        throw File_refusal(0, "face " + std::to_string(i) + " has a vertex that does not exist");
+}
+
+// Sets `soup`, whose points are finite, whose indices are in range, and which has a face; if the
+// function fails, the soup stays as it was.
+// \param parse returns the polygons, or throws `File_refusal`
+template <typename Parse>
+File_status read_polygons(const Parse& parse, Polygons& soup)
+{
+  const Protect_exact_arithmetic protect; // sets the rounding mode for reading numbers
+  return status_of_writing([&] {
+    Polygons result = parse();
+    check_polygons(result);
+    soup = std::move(result);
+  });
+}
+
+} // namespace formats
+
+#endif // SEAMLESS_SNAPPING_COMMAND_LINE_POLYGON_PARSERS_H
