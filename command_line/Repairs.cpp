@@ -203,7 +203,7 @@ Repairs build(const Polygon_soup& soup, const Plain_reading_options& options, Mo
   triangulate(soup, model, repairs);
   if(options.fill_holes > 0)
     fill_holes(std::size_t(options.fill_holes), model, repairs);
-  repairs.border_loops = number_of_border_loops(model.mesh);
+  repairs.border_loops = border_loops(model.mesh).size();
   repairs.vertices = model.mesh.number_of_vertices();
   repairs.faces = model.mesh.number_of_faces();
   repairs.faces_without_area = count_faces_without_area(model.mesh);

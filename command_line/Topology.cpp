@@ -1,14 +1,13 @@
 #include "Topology.h"
 
-#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -40,15 +39,22 @@ nlohmann::json json_of(const Topology& topology)
 
 } // namespace
 
-std::size_t number_of_border_loops(const Mesh& mesh)
+std::vector<Halfedge> border_loops(const Mesh& mesh)
 {
   std::vector<Halfedge> loops;
-  PMP::extract_boundary_cycles(mesh, std::back_inserter(loops));
-  return loops.size();
+  std::vector<bool> is_known(mesh.num_halfedges());
+  for(const Halfedge h : mesh.halfedges()) {
+    if(!mesh.is_border(h) || is_known[h])
+      continue;
+    loops.push_back(h);
+    for(const Halfedge next : CGAL::halfedges_around_face(h, mesh))
+      is_known[next] = true;
+  }
+  return loops;
 }
 
 Topology::Topology(const Mesh& mesh)
-  : number_of_border_loops(::number_of_border_loops(mesh))
+  : number_of_border_loops(border_loops(mesh).size())
 {
   std::vector<std::size_t> part(mesh.num_faces());
   number_of_parts = PMP::connected_components(

@@ -10,8 +10,11 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
-std::size_t number_of_border_loops(const Mesh& mesh);
+// A halfedge of each closed sequence of border edges. CGAL's own function has another name and place
+// from CGAL 6.2 on.
+std::vector<Halfedge> border_loops(const Mesh& mesh);
 
 struct Topology
 {

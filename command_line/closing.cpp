@@ -1,11 +1,11 @@
 #include "closing.h"
 
 #include "Surface_soup.h"
+#include "Topology.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Polygon_2_algorithms.h>
-#include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
@@ -167,9 +167,7 @@ void fill_holes(const std::size_t most_edges, Model& model, Repairs& repairs)
 {
   Mesh& mesh = model.mesh;
   const Size_near_one size(mesh);
-  std::vector<Halfedge> holes;
-  PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
-  for(const Halfedge h : holes) {
+  for(const Halfedge h : border_loops(mesh)) {
     const auto around = CGAL::halfedges_around_face(h, mesh);
     if(std::size_t(std::distance(around.begin(), around.end())) > most_edges)
       continue;

@@ -100,7 +100,7 @@ public:
   // \param far_ones_count_more by 1 plus their squared distance, in the same units
   std::vector<Distance_form> distance_forms(const Mesh& quads, const bool far_ones_count_more) const
   {
-    std::vector<Distance_form> forms(quads.number_of_vertices());
+    std::vector<Distance_form> forms(quads.num_vertices()); // also of removed ones
     std::vector<Space_triangle> triangles;
     std::vector<std::array<Vertex, 3> > corners;
     add_triangles(quads, triangles, corners);
