@@ -5,10 +5,9 @@
 #ifndef SEAMLESS_SNAPPING_TEST_LATTICE_WALK_H
 #define SEAMLESS_SNAPPING_TEST_LATTICE_WALK_H
 
+#include "Isocurve_walker.h"
 #include "checking.h"
 #include "hexagonal_maps.h"
-
-#include <CGAL/Isocurves_and_layouts/Isocurve_walker.h>
 
 #include <array>
 #include <cstddef>

@@ -1,13 +1,13 @@
 // Tests of isocurve tracing: curves on exactly seamless maps end properly and are the same
 // backwards, to the last bit, in all data structures, with one thread and with several.
 
+#include "Isocurve_walker.h"
 #include "Polyhedron_copy.h"
 #include "floating_point_traps.h"
 #include "test_data.h"
 #include "test_meshes.h"
 #include "tracing_checks.h"
 
-#include <CGAL/Isocurves_and_layouts/Isocurve_walker.h>
 #include <CGAL/Isocurves_and_layouts/isocurve_constraints.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
@@ -239,7 +239,7 @@ bool goes_straight_on(const Segment& a, const Segment& b, const Tracer& tracer, 
       first.push_back(segment);
       break;
     }
-  const std::size_t n = outgoing.size(), back = tracer.outgoing_index(a);
+  const std::size_t n = outgoing.size(), back = IL::outgoing_index(tracer, a);
   if(first.size() != n || back >= n || !take_the_same_way(a, first[back], mesh))
     return false;
   bool found = false;
@@ -276,7 +276,8 @@ bool has_good_segments(const Curve& curve, const Tracer& tracer, const Mesh& mes
       return false;
   }
   std::size_t number = 0;
-  for(const Segment& segment : IL::isocurve_segments(tracer, curve))
+  for(const Segment& segment : IL::isocurve_segments(tracer, curve.start, curve.direction,
+                                                       curve.points.size() - 1))
     number += segment.length_after() == segments[number].length_after() ? 1 : 0;
   const bool is_bounded = curve.status == Status::MAXIMUM_NUMBER;
   return number == segments.size() && segments.size() + 1 == curve.points.size() &&

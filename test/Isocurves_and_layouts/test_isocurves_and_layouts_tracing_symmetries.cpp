@@ -2,6 +2,7 @@
 // along all directions, from vertices, edges, and faces; and as constraints they meet the cones
 // again that noise made them miss.
 
+#include "Isocurve_walker.h"
 #include "checking.h"
 #include "hexagonal_data.h"
 #include "hexagonal_maps.h"
@@ -9,7 +10,6 @@
 #include "random_complexes.h"
 #include "tracing_checks.h"
 
-#include <CGAL/Isocurves_and_layouts/Isocurve_walker.h>
 #include <CGAL/Isocurves_and_layouts/isocurve_constraints.h>
 #include <CGAL/Isocurves_and_layouts/trace_isocurve.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
@@ -146,14 +146,14 @@ void check_rays(const IL::Isocurve_tracer<Mesh, 6>& tracer, const Mesh& mesh,
         continue;
       const auto end = there.segment();
       const auto around = tracer.outgoing(mesh.target(end.exit()));
-      const std::size_t slot = tracer.outgoing_index(end);
+      const std::size_t slot = IL::outgoing_index(tracer, end);
       CHECK_IN(context, slot < around.size());
       if(slot >= around.size())
         continue;
       IL::Isocurve_walker<Mesh, 6> back(tracer, around[slot].first, around[slot].second);
       CHECK_IN(context, back.advance() == Status::CONTINUES &&
                           mesh.target(back.segment().exit()) == v &&
-                          tracer.outgoing_index(back.segment()) == i);
+                          IL::outgoing_index(tracer, back.segment()) == i);
     }
   }
   CHECK_IN(context, tracer.separatrices(IL::parameters::maximum_number(1)).size() == number);

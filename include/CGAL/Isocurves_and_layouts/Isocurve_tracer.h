@@ -21,7 +21,6 @@
 #include <CGAL/Isocurves_and_layouts/internal/charts/Exact_level.h>
 #include <CGAL/Isocurves_and_layouts/internal/charts/build_chart_mesh.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/decisions.h>
-#include <CGAL/Isocurves_and_layouts/internal/tracing/Segment_walker.h>
 #include <CGAL/Isocurves_and_layouts/internal/tracing/start_walk.h>
 #include <CGAL/Isocurves_and_layouts/types/isocurve_types.h>
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
@@ -164,9 +163,6 @@ struct Isocurve
   std::vector<Isocurve_point<TriangleMesh> > points; ///< from the start to the end
 };
 
-template <typename TriangleMesh, int D>
-class Isocurve_segment;
-
 namespace internal {
 
 // The parameters of `trace_isocurve()`; the tracer has read the symmetry before.
@@ -285,21 +281,6 @@ public:
       result.emplace_back(Start::at_vertex(halfedge(ray.corner)),
                           internal::isocurve_direction<Group>(ray.direction));
     return result;
-  }
-
-  /*!
-  returns the index of the curve that leads back along `arrival` in `outgoing(v)`, the curves around
-  the vertex `v` at which `arrival` ends. In a star with degenerate faces there may be no such
-  curve; then the function returns the size of `outgoing(v)`. Takes time linear in the degree of the
-  vertex.
-  \pre `arrival` is of this tracer, and `arrival.exit_place()` is `Isocurve_place::VERTEX`
-  */
-  std::size_t outgoing_index(const Isocurve_segment<TriangleMesh, D>& arrival) const
-  {
-    const internal::Protect_exact_arithmetic protect;
-    const internal::Chart_segment& segment = arrival.chart_segment();
-    CGAL_precondition(segment.exit.place == Isocurve_place::VERTEX);
-    return internal::slot_of_arrival(m_mesh, segment, segment.direction);
   }
 
   /*!

@@ -74,7 +74,7 @@ the failures that Mandad and Campen \cgalCite{cgal:mc-ecstsp-19} list.
 */
 enum class Isocurve_status
 {
-  CONTINUES,        ///< the curve goes on; only `Isocurve_walker::advance()` returns this
+  CONTINUES,        ///< the curve goes on; no function returns this
   TARGET,           ///< it has met a vertex that was given
   SINGULAR_VERTEX,  ///< it has met a singular vertex, or a border vertex (of 360 degrees or more)
                     ///< at which several continuations are straight

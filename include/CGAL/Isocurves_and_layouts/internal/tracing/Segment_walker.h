@@ -81,32 +81,9 @@ Exact_rational running_at(const Basic_chart_mesh<Group>& mesh, const Chart_segme
 }
 
 template <typename Group>
-Exact_rational running_from(const Basic_chart_mesh<Group>& mesh, const Chart_segment& segment)
-{
-  return segment.is_first ? segment.origin.exact() : running_at(mesh, segment, segment.entry);
-}
-
-template <typename Group>
 Exact_rational running_to(const Basic_chart_mesh<Group>& mesh, const Chart_segment& segment)
 {
   return segment.is_closing ? segment.closing.exact() : running_at(mesh, segment, segment.exit);
-}
-
-// The coordinate of a point of a segment that is not constant: where u is, and u + v is the running
-// component, that is v.
-template <typename Group>
-Exact_rational other_coordinate(const Chart_segment& segment, const Exact_rational& running)
-{
-  return running_component<Group>(segment.direction) < 2
-           ? running : Exact_rational(running - segment.level.exact());
-}
-
-// The length of the curve from its start to a point of a segment.
-template <typename Group>
-Exact_rational length_up_to(const Chart_segment& segment, const Exact_rational& running)
-{
-  const Exact_rational difference(running - segment.origin.exact());
-  return Exact_rational(running_sign<Group>(segment.direction) * difference);
 }
 
 // Invariant: after a call of advance() that returned CONTINUES, the segment is the last one so far.
