@@ -36,6 +36,7 @@
 #include <iterator>
 #include <limits>
 #include <locale>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -294,14 +295,15 @@ void check_number_of_quads(const Remesh_options& options, const QR::Remeshing_re
                                  " more than twice as many as wanted");
 }
 
-QR::Remeshing_report make_quads(const Remesh_options& options, const Model& model,
+QR::Remeshing_report make_quads(const Remesh_options& options, const Mesh& mesh,
+                                const Edge_bool_map& is_feature,
                                 const Direction_map& directions, const Sizing_map& sizes,
                                 const std::optional<Kernel::Plane_3>& plane, Located_quads& quads)
 {
-  const Progress progress("remeshing " + counted(model.mesh.number_of_faces(), "face"),
+  const Progress progress("remeshing " + counted(mesh.number_of_faces(), "face"),
                           options.reading.verbose);
   const auto parameters =
-    QR::parameters::edge_is_constrained_map(model.is_feature)
+    QR::parameters::edge_is_constrained_map(is_feature)
                    .curvature_alignment(options.curvature).face_direction_map(directions)
                    .curvature_adaptivity(options.adaptivity).vertex_sizing_map(sizes)
                    .border_tolerance(options.border_tolerance)
@@ -310,7 +312,7 @@ QR::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
                    .verbose(options.reading.verbose).maximum_feature_loss(options.feature_loss)
                    .target_number_of_quads(static_cast<std::size_t>(options.number));
   const auto make = [&](const auto& np) {
-    return QR::quad_remesh(model.mesh, quads.mesh, np,
+    return QR::quad_remesh(mesh, quads.mesh, np,
                            QR::parameters::edge_is_constrained_map(quads.is_feature)
                                           .vertex_location_map(quads.of_vertex)
                                           .face_location_map(quads.of_face));
@@ -321,6 +323,36 @@ QR::Remeshing_report make_quads(const Remesh_options& options, const Model& mode
   };
   return options.edge_length > 0 ? make_at_most(parameters.target_edge_length(options.edge_length))
                                  : make_at_most(parameters);
+}
+
+std::size_t number_of_bad_quads(const QR::Remeshing_report& report)
+{ return report.number_of_inverted_quads + report.number_of_folded_quads; }
+
+double largest_distance(const QR::Remeshing_report& report)
+{ return (std::max)(report.largest_distance, report.largest_distance_of_input); }
+
+// Whether quads that follow detected features have a flaw. On most models they have none: they are
+// nearly squares, and the surface is near, because no quad crosses a sharp edge.
+bool may_be_better_without_features(const QR::Remeshing_report& report)
+{
+  constexpr double good_jacobian = 0.98, near = 1. / 3; // of the median edge
+  return !report || number_of_bad_quads(report) > 0 ||
+         report.mean_scaled_jacobian < good_jacobian ||
+         largest_distance(report) > near * report.edge_lengths[1];
+}
+
+// Whether quads without the detected features are not worse in any respect: validity, distance, and
+// shape.
+bool is_better_without_features(const QR::Remeshing_report& without,
+                                const QR::Remeshing_report& with)
+{
+  constexpr double about_equal = 1.05; // ratio of distances: samples measure them
+  if(!without || !with)
+    return bool(without);
+  if(number_of_bad_quads(without) != number_of_bad_quads(with))
+    return number_of_bad_quads(without) < number_of_bad_quads(with);
+  return without.mean_scaled_jacobian > with.mean_scaled_jacobian &&
+         largest_distance(without) <= about_equal * largest_distance(with);
 }
 
 // That a plane has no half on its other side, which would be replaced; or that what replaces it is
@@ -501,6 +533,24 @@ struct Remesh_outcome
   }
 };
 
+// Takes the quads without the detected features, which nobody has asked for, if these are better.
+void try_without_features(const Remesh_options& options, const Direction_map& directions,
+                          const Sizing_map& sizes, Model& model, Remesh_outcome& outcome,
+                          std::unique_ptr<Located_quads>& quads, std::ostream& os)
+{
+  const Edge_bool_map none = model.mesh.add_property_map<Edge, bool>("e:none", false).first;
+  auto others = std::make_unique<Located_quads>();
+  const QR::Remeshing_report without =
+    make_quads(options, model.mesh, none, directions, sizes, outcome.symmetry_plane, *others);
+  if(!is_better_without_features(without, outcome.report))
+    return;
+  os << "no sharp edge kept after all, because quads that ignore them have better shapes, and are "
+        "about as near to the surface; --feature-angle 40 keeps them\n";
+  outcome.report = without;
+  outcome.features.length = 0;
+  quads.swap(others);
+}
+
 } // namespace
 
 void remesh(const Arguments& arguments)
@@ -515,7 +565,7 @@ void remesh(const Arguments& arguments)
     { return read_plain_model(options.input, options.reading, model); });
   write_repairs(os, options.input, outcome.repairs);
   os << note_on_features(options.reading.features, model);
-  Located_quads quads;
+  auto quads = std::make_unique<Located_quads>();
   const auto work = [&] {
     const Direction_map directions =
       read_directions(options.field, outcome.repairs, model.mesh, os);
@@ -535,23 +585,26 @@ void remesh(const Arguments& arguments)
     os << note_on_plane(options, plane, model.mesh);
     check_edge_length(options, model.mesh, sizes);
     QR::Remeshing_report& report = outcome.report;
-    report = make_quads(options, model, directions, sizes, plane, quads);
+    report = make_quads(options, model.mesh, model.is_feature, directions, sizes, plane, *quads);
+    if(options.features.is_automatic() && outcome.features.length > 0 && !options.coarsest &&
+       may_be_better_without_features(report))
+      try_without_features(options, directions, sizes, model, outcome, quads, os);
     if(!report)
       throw Failure(NOT_SOLVED, options.input + ": " + in_words_of_user(to_string(report.status) + (": " + report.message), model));
     report.message = in_words_of_user(report.message, model);
-    outcome.topologies = {Topology(model.mesh), Topology(quads.mesh)};
+    outcome.topologies = {Topology(model.mesh), Topology(quads->mesh)};
     os << note_on_pieces(report, model)
        << note(*outcome.topologies, plane ? "mirroring" : "remeshing");
     outcome.diagonal = ::diagonal(model.mesh);
-    outcome.turn = median_turn(quads, directions, model.mesh);
-    write_file(options.output, text_with_attributes(model, options.input, quads, options.output));
-    quads.count_as_written(report.first_inverted_quads);
-    quads.count_as_written(report.first_folded_quads);
-    quads.count_as_written(report.first_thin_quads);
-    quads.count_as_written(report.first_degenerate_quads);
+    outcome.turn = median_turn(*quads, directions, model.mesh);
+    write_file(options.output, text_with_attributes(model, options.input, *quads, options.output));
+    quads->count_as_written(report.first_inverted_quads);
+    quads->count_as_written(report.first_folded_quads);
+    quads->count_as_written(report.first_thin_quads);
+    quads->count_as_written(report.first_degenerate_quads);
     if(!options.picture.empty())
-      write_file(options.picture, quad_picture(quads.mesh, quads.is_feature));
-    outcome.patches = write_patches(quads.mesh, quads.is_feature, options.patches);
+      write_file(options.picture, quad_picture(quads->mesh, quads->is_feature));
+    outcome.patches = write_patches(quads->mesh, quads->is_feature, options.patches);
     outcome.write_summary(os, options.output);
     check_inverted_quads(report.number_of_inverted_quads, options.output);
     check_folded_quads(report.number_of_folded_quads, options.output);
