@@ -51,7 +51,7 @@ Soup soup_of(const Surface_arrays& arrays, const Used_vertices& used)
     std::copy_n(arrays.uv.data(), arrays.uv.size(), soup.uvs.front().data());
   }
   for(std::size_t i = 0; i < arrays.number_of_features(); ++i) {
-    Soup::Segment segment{};
+    SS::internal::Soup_segment segment{};
     for(std::size_t k = 0; k < 2; ++k) {
       const std::int64_t row = arrays.features[2 * i + k];
       segment.vertices[k] = used.number(std::size_t(row));
