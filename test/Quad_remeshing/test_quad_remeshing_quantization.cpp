@@ -1459,7 +1459,7 @@ void test_twisted_tubes()
     for(int i = 0; i < n; ++i)
       for(int k = 0; k < sides; ++k)
         is_feature[mesh.edge(mesh.halfedge(vertex(i, k), vertex(i + 1, k)))] = true;
-    std::vector<std::size_t> numbers{200, 300, 400, 500};
+    std::vector<std::size_t> numbers{200, 500};
     if(twist != 2) // more: of few quads, others are chosen where these are sheared
       numbers.push_back(twist == 1 ? 2000 : 1100);
     for(const std::size_t wanted : numbers) {
@@ -2643,12 +2643,12 @@ void test_border_in_steps()
   };
   check("disc in steps", cells_inside(40, [](const double x, const double y)
                                       { return std::hypot(x, y) < 0.9; }), 300);
-  for(const double angle : {0.2, 0.5, 0.7})
+  for(const double angle : {0.2, 0.7})
     check("turned square in steps", cells_inside(40, [&](const double x, const double y) {
       return std::abs(std::cos(angle) * x + std::sin(angle) * y) < 0.7 &&
              std::abs(std::cos(angle) * y - std::sin(angle) * x) < 0.7;
     }), 300);
-  for(const unsigned int seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+  for(const unsigned int seed : {1u, 2u, 3u}) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> phase(0, 6.28), height(0.02, 0.1);
     std::vector<std::array<double, 2> > waves;
