@@ -531,7 +531,7 @@ inline void replace_quads(const Surface_to_remesh::Mesh& others,
                           boost::make_function_output_iterator(write)));
 }
 
-// Makes quads once more, by `make(quads, is_feature)`, which take the place of those that there are
+// Makes quads once more, by `make(quads, is_feature)`, which take the place of the present quads
 // if `is_better(report, best)`; returns whether they do. The steps of both are reported, in their
 // order.
 template <typename Make, typename Is_better>
@@ -661,7 +661,7 @@ class Quad_search
     bool (Quad_search::*mends)() const; // whether the best result asks for it
     Room room;
     bool has_straight_border;
-    std::optional<double> number;      // of quads, as a part of those of the first; else as wanted
+    std::optional<double> number;      // of quads, as a part of the first number; else as wanted
     bool (Quad_search::*may_take)(const Remeshing_report&) const; // even if it is better
   };
 
@@ -745,7 +745,7 @@ private:
   bool has_fewer_bad(const Remeshing_report& r) const
   { return r && number_of_bad_quads(r) < number_of_bad_quads(m_best); }
 
-  // Quads that were made before stay if they are better, or if those that are made now are more
+  // Quads that were made before stay if they are better, or if the new quads are more
   // where there are to be as few as can be.
   void run(const Move& move)
   {

@@ -43,7 +43,7 @@ struct Curve_point
   Exact_level length; // of the curve up to there
   Point_index point;
   std::int32_t slot;  // in which the curve goes on
-  std::int32_t back;  // and that of the way back
+  std::int32_t back;  // and the index of the way back
   Segment_index begin, end;
 };
 

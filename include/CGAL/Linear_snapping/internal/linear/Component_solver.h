@@ -545,7 +545,7 @@ private:
     const Column_index column = m_form.pivot_columns[row];
     std::int64_t& value = x[std::size_t(column)];
     value = 0; // drops out of the sum
-    std::int64_t sum = 0, pivot = 1; // the sum is that of the row, minus b
+    std::int64_t sum = 0, pivot = 1; // the sum of the row, minus b
     bool fits = rows.is_small(row) && shifted(-rows.right_hand_side(row), right_hand_shift, sum);
     if(fits)
       for(const Entry<std::int64_t>& e : rows.row(row)) {

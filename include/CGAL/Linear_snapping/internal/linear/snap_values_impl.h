@@ -78,7 +78,7 @@ inline double largest_violation(const Linear_solver& solver, const Component_ind
                                 const Grid& grid, const std::vector<Grid_value>& all_values,
                                 const std::map<std::size_t, Exact_rational>& scales)
 {
-  const Integer_system& system = solver.system(c); // whose columns are those of the component
+  const Integer_system& system = solver.system(c); // whose columns belong to the component
   std::vector<Grid_value> values;
   for(const Column_index j : solver.columns(c))
     values.push_back(all_values[std::size_t(j)]);

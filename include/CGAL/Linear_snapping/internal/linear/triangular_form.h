@@ -88,7 +88,7 @@ private:
   }
 
   const Integer_system& m_system;
-  std::vector<std::size_t> m_number_of_rows, m_sum_of_rows; // per column, of those that are left
+  std::vector<std::size_t> m_number_of_rows, m_sum_of_rows; // per column, of the rows that are left
   std::vector<char> m_is_waiting; // per row: whether it is in `m_order`
   std::vector<Row_index> m_order;
   std::vector<Entry<std::int64_t> > m_pivots; // per row in `m_order`

@@ -139,7 +139,7 @@ private:
   }
 
   std::vector<Folded_cell> m_folded_cells;
-  std::vector<std::size_t> m_folded_darts; // their sides but those from their points, sorted
+  std::vector<std::size_t> m_folded_darts; // their sides except the sides from their points, sorted
 };
 
 // The darts from a vertex along edges to itself, along two or more to one other vertex, or along

@@ -254,7 +254,7 @@ private:
     if(std::none_of(m_mesh.transitions.begin(), m_mesh.transitions.end(), is_bad))
       return true;
     for(std::size_t i = 0; i < m_mesh.corners.size(); ++i) {
-      const std::int32_t t = m_mesh.corners[i].transition; // those of holes belong to no corner
+      const std::int32_t t = m_mesh.corners[i].transition; // holes have transitions, but no corner
       if(t == no_index || !is_bad(m_mesh.transitions[std::size_t(t)]))
         continue;
       const auto& translation = m_mesh.transitions[std::size_t(t)].translation;

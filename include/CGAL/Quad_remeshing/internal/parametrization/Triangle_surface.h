@@ -43,7 +43,7 @@ constexpr double quarter_turn = 2 * pi / Quarter_turns::order;
 struct Triangle_surface : Flat_mesh<Flat_corner>
 {
   std::size_t number_of_components = 0;
-  int exponent = 0; // lengths are those of the mesh times 2^-exponent, far from over- and underflow
+  int exponent = 0; // lengths of the mesh times 2^-exponent are far from over- and underflow
 
   // per halfedge
   std::vector<double> length;

@@ -68,7 +68,7 @@ public:
       options.leave_out_folded_cells = true;
       Quad_extractor extractor(make_chart_mesh(m_complex), {}, options,
                                [](const Corner_index) { return std::string(); });
-      Chart_mesh mesh; // that of the extractor goes
+      Chart_mesh mesh; // the mesh of the extractor goes
       if(!extractor.template run<CGAL::Sequential_tag>([&] { mesh = extractor.mesh(); }))
         return false;
       constexpr double of_extraction = 2; // the work for each quad and each triangle
@@ -211,7 +211,7 @@ class Face_graph_search
 {
   static constexpr int most_divisions = 2; // divisions of each quad into four
   static constexpr int steps_per_division = 56; // steps of 2.5 %
-  // the first quads that can be divided are at times half as many again as those of the next steps
+  // the first quads that can be divided are at times half as many again as in the next steps
   static constexpr int most_steps = (2 * most_divisions + 1) * steps_per_division / 2;
   static constexpr double tolerance = 0.05; // by which a smaller target may give more quads
 

@@ -130,7 +130,7 @@ private:
   struct Reached
   {
     double distance;
-    Face_bits faces; // of the strip so far, but for that of the start
+    Face_bits faces; // of the strip so far, except the face of the start
     Strip_state parent;
     Corner_index entry;     // the halfedge over which the strip enters its face
     std::int32_t round = 0; // valid if it is the current one

@@ -358,7 +358,7 @@ private:
   const Mesh& m_surface;
   Mesh::Property_map<Face, Space_vector> m_upper_sides;
   Tree m_tree;
-  std::vector<Face> m_searched; // those of its triangles
+  std::vector<Face> m_searched; // of its triangles
   std::vector<Face> m_faces;           // scratch
   std::vector<Space_vector> m_normals; // scratch: of these faces
 };

@@ -384,10 +384,10 @@ private:
   Point_map m_points;
   std::vector<Vertex> m_loop; // of the border, in the order of its halfedges
   std::vector<Line> m_lines;
-  std::map<Vertex, std::set<std::size_t> > m_lines_at; // those of the border, or nearest to it
+  std::map<Vertex, std::set<std::size_t> > m_lines_at; // of the border, or nearest to it
   std::map<Vertex, std::set<std::size_t> > m_isocurves_at; // of the border
   std::size_t m_number_of_isocurves = 0;
-  std::vector<Vertex> m_inside;                        // those that may move
+  std::vector<Vertex> m_inside;                        // vertices that may move
   std::vector<std::vector<std::pair<Vertex, double> > > m_weights; // of their neighbors
 };
 

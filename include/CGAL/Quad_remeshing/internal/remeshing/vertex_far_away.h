@@ -63,7 +63,7 @@ halfedge_from_far_away(const Remeshing_types::Mesh& mesh)
   std::vector<double> sorted = distances;
   std::sort(sorted.begin(), sorted.end());
   const std::size_t n = sorted.size();
-  double farthest = std::numeric_limits<double>::infinity(); // of those that are near
+  double farthest = std::numeric_limits<double>::infinity(); // of the vertices that are near
   for(std::size_t i = n - (std::min)(n, 1 + (std::max)(n / part, std::size_t(1))); i + 1 < n; ++i)
     if(sorted[i] > 0 && sorted[i + 1] / many_times > sorted[i]) {
       farthest = sorted[i];

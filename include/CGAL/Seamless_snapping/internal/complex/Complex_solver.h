@@ -203,7 +203,7 @@ private:
   const Coordinate_components<Group>& m_components;
   const Grid_coordinates<Group>& m_targets;
   const Linear_solution& m_solution;
-  const std::vector<char>& m_is_kept; // per component: coordinates are those of the input
+  const std::vector<char>& m_is_kept; // per component: coordinates are as in the input
   Number_format m_format;
   Snapped_coordinates<Group> m_result;
 };
@@ -325,7 +325,7 @@ private:
             Linear_target_builder<Group>(m_complex, m_system, m_components, coordinates).build()};
   }
 
-  // As fine as those of the solution, but where shifted coordinates are so large that they need
+  // As fine as the grids of the solution, but where shifted coordinates are so large that they need
   // coarser ones. Returns false if they are not finite.
   bool make_grids(const Target_shifts<Group>& shifts, std::vector<Grid>& grids) const
   {

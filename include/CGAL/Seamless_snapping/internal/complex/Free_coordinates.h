@@ -222,7 +222,7 @@ private:
   }
 
   Free_unknowns m_unknowns;
-  std::size_t m_number_of_columns, m_first_unknown; // the latter after those of the columns
+  std::size_t m_number_of_columns, m_first_unknown; // the latter after the columns' unknowns
   // The coordinates of the sectors, over columns of the reduced system and then free coordinates.
   Short_sums m_coordinates;
 };

@@ -31,7 +31,7 @@ namespace Seamless_snapping {
 namespace internal {
 
 // A `Surface` as Uv_surface is. Invariant: the halfedges 3 f, 3 f + 1, 3 f + 2 are those of face f;
-// those of the border follow. Borders run through vertices as in the input, also where several
+// halfedges of the border follow. Borders run through vertices as in the input, also where several
 // meet.
 class Flat_surface
 {

@@ -49,7 +49,7 @@ public:
       m_segments.push_back(Segment{target, source, false, index});
   }
 
-  // Calls `f(first, last)` for each set of two or more that coincide, those that run upwards last.
+  // Calls `f(first, last)` for each set of two or more that coincide, upward segments last.
   template <typename F>
   void for_each_coincidence(const F& f)
   {

@@ -110,7 +110,7 @@ bool is_in_digon(const Surface& surface, const typename Surface::Halfedge h)
   return surface.next(h) == surface.prev(h);
 }
 
-// Edges whose corners are on their way from the memory, while those before them are compared.
+// Edges whose corners are on their way from the memory, while earlier edges are compared.
 constexpr std::size_t surveyed_together = 64;
 
 // `is_open_anyway`, if it is not empty, lets callers add edges that are the same on both sides, but

@@ -322,7 +322,7 @@ private:
     }
   }
 
-  // Takes the first displacement in whole grid steps, of those around the plan's, that the exact
+  // Takes the first displacement in whole grid steps, around the plan's, that the exact
   // check accepts.
   bool apply(const Plan& plan, const bool all, Uv_state& state) const
   {

@@ -124,7 +124,7 @@ private:
   {
     enum Kind { FREE, NODE, PLUS, MINUS, LINK };
     Kind kind = FREE;
-    Column_index column = -1; // its own unknown, or that of the branch or chain
+    Column_index column = -1; // its own unknown, or the unknown of the branch or chain
     Sector_index partner = -1;
     typename Group::Element element = Group::identity(); // from plus to minus
     int functional = 0;

@@ -72,7 +72,7 @@ public:
                        [&](const Point_index p) { return is_kept(state, p); });
   }
 
-  // Whether those of its sectors' vertices have them: all cones but some of 720 degrees are there.
+  // Whether the vertices of its sectors have them: all cones but some of 720 degrees are there.
   bool are_kept_by_sectors(const Uv_state& state, const Face_index f) const
   {
     const auto points = m_points.domain_face(f).points;

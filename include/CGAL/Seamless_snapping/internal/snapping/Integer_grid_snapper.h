@@ -241,7 +241,7 @@ private:
       m_has_spread = false;
       m_charts = Charts::AS_GIVEN; // what was chosen before knows nothing of the new cones
       if(!snap() && (!is_asked || number_of_flips(m_report) <= number_of_flips(report))) {
-        // flips of the input: those since then came with the displacement
+        // flips of the input: later flips came with the displacement
         m_report.run.number_of_repaired_flips = report.run.number_of_repaired_flips;
         continue;
       }

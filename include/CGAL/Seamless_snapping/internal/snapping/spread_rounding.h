@@ -46,7 +46,7 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Invariant: the displacement of a corner is g x + c, where x is that of a vertex of the mesh. If
+// Invariant: the displacement of a corner is g x + c, where x belongs to a vertex of the mesh. If
 // only some roundings are given, changes of the other translations and levels are unknowns, too.
 template <typename Group>
 class Rounding_spreader

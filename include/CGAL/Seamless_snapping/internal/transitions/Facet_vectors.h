@@ -94,7 +94,7 @@ private:
     return result;
   }
 
-  // Plain arrays: those of the library can't be assigned to in constant expressions of C++17.
+  // Plain arrays: arrays of the library can't be assigned to in constant expressions of C++17.
   struct Tables
   {
     Rotation rotation[order];

@@ -188,7 +188,7 @@ private:
   static constexpr Matrix generator()
   { return {{{{0, -1}}, {{1, is_signed_permutation ? 0 : 1}}}}; }
 
-  // A plain array: those of the library can't be assigned to in constant expressions of C++17.
+  // A plain array: arrays of the library can't be assigned to in constant expressions of C++17.
   struct Table
   {
     Matrix power[N];

@@ -129,7 +129,7 @@ class Distortion_minimizer
 
 public:
   // \param chosen triangles
-  // \param number_of per unknown: its number among those that may change, or -1
+  // \param number_of per unknown: its number among the unknowns that may change, or -1
   // \param count how many may change
   Distortion_minimizer(const Constrained_triangles& map, const std::vector<std::size_t>& chosen,
                        const std::vector<int>& number_of, const std::size_t count,
@@ -302,7 +302,7 @@ private:
              : Vector::Constant(m_count, std::numeric_limits<FT>::quiet_NaN());
   }
 
-  // Which entries the Hessian has, and where those of each term are.
+  // Which entries the Hessian has, and where the entries of each term are.
   void make_pattern()
   {
     std::vector<Eigen::Triplet<FT> > entries;

@@ -210,7 +210,7 @@ private:
         const std::int32_t name = std::int32_t(m_edges.size());
         if(walk(facet(i), third, name, edge)) {
           m_edges.push_back(edge);
-        } else { // names all that it has met, and those on the other side
+        } else { // names all that it has met, and all on the other side
           walk(facet(i), third, border, edge);
           walk(other(i), m_volume.across(facet(i), third), border, edge);
           m_edge[3 * i + j] = border;
@@ -263,7 +263,7 @@ private:
 
   const Flat_volume& m_volume;
   const Volume_transitions& m_transitions;
-  std::vector<std::int32_t> m_place;   // per facet: that of its cut among the open ones, or -1
+  std::vector<std::int32_t> m_place;   // per facet: the place of its cut among the open ones, or -1
   std::vector<std::int32_t> m_chart;   // per cell
   std::vector<int> m_element_of_chart; // -1 while it is not reached
   std::vector<Uvw> m_shift;            // per chart

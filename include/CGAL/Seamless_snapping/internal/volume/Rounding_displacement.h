@@ -40,7 +40,7 @@ namespace internal {
 // itself where sheets meet.
 // Invariant: the system is eliminated. After `solve()`, what the slots hold meets all constraints,
 // and so does each place that is moved within its freedom: translations and levels are integers,
-// and coordinates that can't move, as those across a singular curve.
+// and coordinates that can't move, such as coordinates across a singular curve.
 class Integer_places
 {
   using Group = Cube_rotations;

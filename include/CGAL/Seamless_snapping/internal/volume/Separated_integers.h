@@ -366,7 +366,7 @@ private:
   std::vector<Vector> m_basis;
   std::vector<Image> m_images;        // per difference
   std::vector<std::int64_t> m_point;  // per column
-  std::vector<std::int64_t> m_values; // per difference: that of the point
+  std::vector<std::int64_t> m_values; // per difference: its value at the point
   std::vector<char> m_is_open;        // per vector of the basis: its coefficient is not chosen yet
   Eigen::VectorXd m_optimum;
   Eigen::MatrixXd m_answers;

@@ -111,7 +111,7 @@ private:
     for(std::size_t k = 0; k < 3; ++k)
       w.is_start_fixed[k] = is_fixed(i, k);
     add(w.level, i, c, 1);
-    Corner_index entered = i; // the facets at the corner are those opposite to the others
+    Corner_index entered = i; // the facets at the corner are opposite to the other corners
     for(int step = 0; step < largest_number_of_steps; ++step) {
       const Exit exit = find_exit(w, entered, step == 0);
       if(exit.facet < 0)

@@ -148,7 +148,7 @@ private:
   {
     if(m_is_decided[i] == 0)
       return std::nullopt;
-    if(m_volume.aligned_facets[i] != facet) // its coordinate is that of the other cell
+    if(m_volume.aligned_facets[i] != facet) // its coordinate belongs to the other cell
       g = Group::compose(m_element[std::size_t(facet)], g);
     return int(Group::source(g, std::size_t(m_result.coordinate[i])));
   }

@@ -184,7 +184,7 @@ private:
     Matrix jacobian;
     Vector slope;      // g
     Vector volume_slope;
-    double volume;     // against that of the rest shape
+    double volume;     // against the volume of the rest shape
     std::array<Vector, 3> directions; // moves of the corner, per unknown of the member
   };
 
