@@ -36,7 +36,7 @@ void mark_sharp_edges(const double angle, Model& model)
 // Marks the sharp edges that are features of a part, and tells whether there are any.
 void detect_features(const double length, Model& model, std::ostream& os)
 {
-  constexpr double angle = 40; // edges of parts are mostly sharper, facets of round parts are not
+  constexpr int angle = Feature_options::detected_angle;
   Edge_bool_map is_found = model.mesh.add_property_map<Edge, bool>("e:found", false).first;
   QR::Detected_features found;
   {
@@ -83,8 +83,9 @@ void Feature_options::add_to(Options& options, const std::string& keep,
 {
   options.add("feature-angle", "DEGREES", angle, {0, 180},
               keep + " edges with a larger angle between the normals of their faces: 0 for a flat "
-              "surface, 90 for a cube. 0 " + keep + "s none (default: 40 if most such edges lie in long "
-              "chains between smooth faces, as on CAD models; else, and with --features, 0)");
+              "surface, 90 for a cube. 0 " + keep + "s none (default: " +
+              std::to_string(detected_angle) + " if most such edges lie in long chains between smooth "
+              "faces, as on CAD models; else, and with --features, 0)");
   options.add("feature-length", "L", length, {0, (std::numeric_limits<double>::max)()},
               "leave out features that are noise: lines shorter than L with a free end, all lines "
               "shorter than L that hang together and have many free ends, and sides of thin triangles "

@@ -22,6 +22,8 @@ struct Marked_features
 struct Feature_options
 {
   static constexpr double automatic = -1;
+  // Edges of parts are mostly sharper, facets of round parts are not.
+  static constexpr int detected_angle = 40; // degrees
   double angle = automatic; // in degrees: edges that are sharper
   double length = 0; // of remove_feature_noise()
   bool has_default_length = false; // nobody asked for the length

@@ -172,8 +172,8 @@ SS::IO::File_status write_as(const std::string& format, const Model& model, std:
 // Whether the text reads back as the mesh, with vertices as in the file if it is of its format.
 bool reads_back(const Model& model, const Mesh_text& text, const bool is_of_file)
 {
-  const std::vector<std::size_t> numbers =
-    is_of_file ? model.file_vertices : std::vector<std::size_t>();
+  const formats::Vertex_numbers as_in_mesh;
+  const formats::Vertex_numbers& numbers = is_of_file ? model.file_vertices : as_in_mesh;
   return text.holds(model.mesh, model.uv_map, model.is_feature, numbers) &&
          (!model.is_float || text.holds<float>(model.mesh, model.uv_map, model.is_feature, numbers));
 }

@@ -455,7 +455,7 @@ struct Remesh_outcome
          << " left out, of steps that are smaller than quads; --border-tolerance 0 keeps all\n";
     write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
     write_folded_quads(os, report.number_of_folded_quads, report.first_folded_quads, output);
-    if(report.number_of_inverted_quads + report.number_of_folded_quads > 0 &&
+    if(number_of_bad_quads(report) > 0 &&
        report.number_of_quads < 10 * report.number_of_irregular_vertices)
       os << "note: these are few quads for so many irregular vertices; a larger --number leaves more "
             "room for good ones\n";
@@ -476,7 +476,7 @@ struct Remesh_outcome
   // More than quads of this size take off a corner.
   bool cuts_off() const
   {
-    const double most = (std::max)(report.largest_distance, report.largest_distance_of_input);
+    const double most = largest_distance(report);
     return most > 0.1 * diagonal || most > 1.5 * report.edge_lengths[1];
   }
 
@@ -545,7 +545,8 @@ void try_without_features(const Remesh_options& options, const Direction_map& di
   if(!is_better_without_features(without, outcome.report))
     return;
   os << "no sharp edge kept after all, because quads that ignore them have better shapes, and are "
-        "about as near to the surface; --feature-angle 40 keeps them\n";
+        "about as near to the surface; --feature-angle "
+     << Feature_options::detected_angle << " keeps them\n";
   outcome.report = without;
   outcome.features.length = 0;
   quads.swap(others);

@@ -162,13 +162,13 @@ private:
 
   // Where the surface faces below a quad: the mean of the unit normals that walks find.
   Space_vector upper_side(const Face f, const Quad& q) const
-  { return mean_of(normals_by_walks(faces_of_corners(f), q)); }
+  { return mean_of(normals_by_walks(f, q)); }
 
   // The surface below the middle of a quad, and half way from there to each corner.
-  std::vector<Space_vector> normals_by_walks(const std::vector<Face>& starts, const Quad& q) const
+  std::vector<Space_vector> normals_by_walks(const Face f, const Quad& q) const
   {
     std::vector<Space_vector> result;
-    for(const Face start : starts)
+    for(const Face start : faces_of_corners(f))
       for(const Space_vector& p : places(q))
         result.push_back(unit_normal(walk(start, p)));
     return result;
@@ -178,8 +178,8 @@ private:
   // these may be wrong, and a turn of any of them excuses a turn of the quads.
   void add_normals_below(const Face f, const Quad& q, std::vector<Space_vector>& normals) const
   {
-    for(const Space_vector& normal : normals_by_walks(faces_of_corners(f), q))
-      normals.push_back(normal);
+    const std::vector<Space_vector> walked = normals_by_walks(f, q);
+    normals.insert(normals.end(), walked.begin(), walked.end());
     for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
       normals.push_back(unit_normal(face_of_surface(v)));
     for(const Space_vector& p : places(q))
