@@ -24,27 +24,11 @@ namespace Isocurves_and_layouts {
 
 namespace internal {
 
-template <typename Group>
-Exact_rational running_from(const Basic_chart_mesh<Group>& mesh, const Chart_segment& segment)
-{
-  return segment.is_first ? segment.origin.exact() : running_at(mesh, segment, segment.entry);
-}
-
-// The coordinate of a point of a segment that is not constant: where u is, and u + v is the running
-// component, that is v.
-template <typename Group>
-Exact_rational other_coordinate(const Chart_segment& segment, const Exact_rational& running)
-{
-  return running_component<Group>(segment.direction) < 2
-           ? running : Exact_rational(running - segment.level.exact());
-}
-
 // The length of the curve from its start to a point of a segment.
-template <typename Group>
-Exact_rational length_up_to(const Chart_segment& segment, const Exact_rational& running)
+inline Exact_rational length_up_to(const Chart_segment& segment, const Exact_rational& running)
 {
   const Exact_rational difference(running - segment.origin.exact());
-  return Exact_rational(running_sign<Group>(segment.direction) * difference);
+  return Exact_rational(running_sign(segment.direction) * difference);
 }
 
 // Where a member function hides the one of the mesh.
@@ -58,18 +42,16 @@ auto face_of_halfedge(const Halfedge h, const TriangleMesh& tmesh)
 
 // The part of an isocurve in one face, or along one edge, with exact coordinates in the chart of
 // `face()`. It is valid as long as the tracer is.
-template <typename TriangleMesh, int D = 4>
+template <typename TriangleMesh>
 class Isocurve_segment
 {
-  using Group = internal::Rotation_group<D>;
-  using Mesh = internal::Basic_chart_mesh<Group>;
   using Graph_traits = boost::graph_traits<TriangleMesh>;
 
 public:
   using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
   using face_descriptor = typename Graph_traits::face_descriptor;
 
-  Isocurve_segment(const TriangleMesh& tmesh, const Mesh& mesh,
+  Isocurve_segment(const TriangleMesh& tmesh, const internal::Chart_mesh& mesh,
                    const internal::Flat_numbering<TriangleMesh>& numbering,
                    const internal::Chart_segment& segment)
     : m_tmesh(&tmesh), m_mesh(&mesh), m_numbering(&numbering), m_segment(segment)
@@ -81,16 +63,14 @@ public:
   face_descriptor face() const
   { return internal::face_of_halfedge(entry(), *m_tmesh); }
 
-  // Returns the element at which the segment begins: `Isocurve_place::FACE` only at the start of a
-  // curve.
+  // Returns the element at which the segment begins.
   Isocurve_place entry_place() const { return m_segment.entry.place; }
 
   // Returns a halfedge of `face()`: that which points to the vertex, or which lies on the edge, at
   // which the segment begins.
   halfedge_descriptor entry() const { return halfedge(m_segment.entry.halfedge); }
 
-  // Returns the element at which the segment ends: `Isocurve_place::FACE` only if a curve closes
-  // that has started in the face.
+  // Returns the element at which the segment ends.
   Isocurve_place exit_place() const { return m_segment.exit.place; }
 
   // Returns a halfedge of `face()`: that which points to the vertex, or which lies on the edge, at
@@ -106,59 +86,50 @@ public:
 
   // Returns the direction of the curve.
   Isocurve_direction direction() const
-  { return internal::isocurve_direction<Group>(m_segment.direction); }
+  { return internal::isocurve_direction<internal::Quarter_turns>(m_segment.direction); }
 
-  // Returns the constant coordinate of the curve: \f$ u \f$, \f$ v \f$, or in lattice coordinates
-  // \f$ u + v \f$.
+  // Returns the constant coordinate of the curve.
   Exact_rational constant_coordinate() const { return m_segment.level.exact(); }
 
-  // Returns the other coordinate at the beginning of the segment; \f$ v \f$ if \f$ u + v \f$ is
-  // constant.
-  Exact_rational from() const
-  { return internal::other_coordinate<Group>(m_segment, running_from(*m_mesh, m_segment)); }
+  // Returns the other coordinate at the beginning of the segment, and at its end.
+  Exact_rational from() const { return running_at(*m_mesh, m_segment, m_segment.entry); }
+  Exact_rational to() const { return running_at(*m_mesh, m_segment, m_segment.exit); }
 
-  // Returns the other coordinate at the end of the segment.
-  Exact_rational to() const
-  { return internal::other_coordinate<Group>(m_segment, running_to(*m_mesh, m_segment)); }
-
-  // Returns the length of the curve in the domain, from its start to the beginning of the segment.
-  // The way back in flipped faces is subtracted. In lattice coordinates, the unit is the same in
-  // all directions: the side of the triangles of the lattice.
-  Exact_rational length_before() const
-  { return internal::length_up_to<Group>(m_segment, running_from(*m_mesh, m_segment)); }
-
-  // Returns the length of the curve in the domain, from its start to the end of the segment.
-  Exact_rational length_after() const
-  { return internal::length_up_to<Group>(m_segment, running_to(*m_mesh, m_segment)); }
+  // Returns the length of the curve in the domain, from its start to the beginning of the segment,
+  // and to its end. The way back in flipped faces is subtracted.
+  Exact_rational length_before() const { return length_up_to(m_segment, from()); }
+  Exact_rational length_after() const { return length_up_to(m_segment, to()); }
 
 private:
   halfedge_descriptor halfedge(const internal::Corner_index h) const
   { return m_numbering->halfedges_of_corners()[std::size_t(h)]; }
 
   const TriangleMesh* m_tmesh;
-  const Mesh* m_mesh;
+  const internal::Chart_mesh* m_mesh;
   const internal::Flat_numbering<TriangleMesh>* m_numbering;
   internal::Chart_segment m_segment;
 };
 
-// Walks along an isocurve of an exactly seamless parametrization. A copy goes on independently.
-template <typename TriangleMesh, int D = 4>
+// Walks along an isocurve of an exactly seamless parametrization, from a vertex. A copy goes on
+// independently.
+template <typename TriangleMesh>
 class Isocurve_walker
 {
-  using Group = internal::Rotation_group<D>;
-
 public:
-  using Tracer = Isocurve_tracer<TriangleMesh, D>;
+  using Tracer = Isocurve_tracer<TriangleMesh>;
   using Start = Isocurve_start<TriangleMesh>;
-  using Segment = Isocurve_segment<TriangleMesh, D>;
+  using Segment = Isocurve_segment<TriangleMesh>;
 
+  // \pre a ray leaves the vertex in this direction
   Isocurve_walker(const Tracer& tracer, const Start& start, const Isocurve_direction direction)
     : m_tracer(&tracer)
   {
     const internal::Protect_exact_arithmetic protect;
-    if(tracer.is_exact())
-      m_walker.emplace(tracer.chart_mesh(), internal::no_limits(), tracer.chart_start(start),
-                       internal::chart_direction<Group>(direction));
+    internal::Vertex_ray ray{internal::no_index, 0, internal::Ray_kind::THROUGH_FACE};
+    if(tracer.is_exact() &&
+       find_ray(tracer.chart_mesh(), tracer.chart_start(start).halfedge,
+                internal::chart_direction<internal::Quarter_turns>(direction), ray))
+      m_walker.emplace(tracer.chart_mesh(), internal::no_limits(), ray);
   }
 
   // Goes on to the next segment, which the first call finds at the start, or returns how the curve
@@ -182,13 +153,13 @@ public:
 
 private:
   const Tracer* m_tracer;
-  std::optional<internal::Basic_segment_walker<Group> > m_walker;
+  std::optional<internal::Segment_walker> m_walker;
 };
 
 // The index among `tracer.outgoing()` of the way back, at the vertex at which a segment ends.
-template <typename TriangleMesh, int D>
-std::size_t outgoing_index(const Isocurve_tracer<TriangleMesh, D>& tracer,
-                           const Isocurve_segment<TriangleMesh, D>& arrival)
+template <typename TriangleMesh>
+std::size_t outgoing_index(const Isocurve_tracer<TriangleMesh>& tracer,
+                           const Isocurve_segment<TriangleMesh>& arrival)
 {
   const internal::Protect_exact_arithmetic protect;
   const internal::Chart_segment& segment = arrival.chart_segment();
@@ -196,14 +167,14 @@ std::size_t outgoing_index(const Isocurve_tracer<TriangleMesh, D>& tracer,
 }
 
 // The segments of an isocurve from its start, at most `number`.
-template <typename TriangleMesh, int D>
-std::vector<Isocurve_segment<TriangleMesh, D> >
-isocurve_segments(const Isocurve_tracer<TriangleMesh, D>& tracer,
+template <typename TriangleMesh>
+std::vector<Isocurve_segment<TriangleMesh> >
+isocurve_segments(const Isocurve_tracer<TriangleMesh>& tracer,
                   const Isocurve_start<TriangleMesh>& start, const Isocurve_direction direction,
                   const std::size_t number = (std::numeric_limits<std::size_t>::max)())
 {
-  std::vector<Isocurve_segment<TriangleMesh, D> > result;
-  Isocurve_walker<TriangleMesh, D> walker(tracer, start, direction);
+  std::vector<Isocurve_segment<TriangleMesh> > result;
+  Isocurve_walker<TriangleMesh> walker(tracer, start, direction);
   while(result.size() < number && walker.advance() == Isocurve_status::CONTINUES)
     result.push_back(walker.segment());
   return result;

@@ -5,9 +5,10 @@
 #ifndef SEAMLESS_SNAPPING_TEST_LATTICE_WALK_H
 #define SEAMLESS_SNAPPING_TEST_LATTICE_WALK_H
 
-#include "Isocurve_walker.h"
 #include "checking.h"
 #include "hexagonal_maps.h"
+
+#include <CGAL/Isocurves_and_layouts/Isocurve_tracer.h>
 
 #include <array>
 #include <cstddef>
@@ -209,69 +210,56 @@ private:
   std::vector<int> m_turns;
 };
 
-// The point of a segment with this other coordinate, in the chart of its face.
-inline Exact_vector segment_point(const IL::Isocurve_direction direction, const Rational& level,
-                                  const Rational& other)
+// The coordinate that is constant in a direction.
+inline Rational level_of(const IL::Isocurve_direction direction, const Exact_vector& p)
 {
   using Direction = IL::Isocurve_direction;
   switch(direction) {
   case Direction::PLUS_U:
-  case Direction::MINUS_U: return {{other, level}};
+  case Direction::MINUS_U: return p[1];
   case Direction::PLUS_V:
-  case Direction::MINUS_V: return {{level, other}};
-  default:                 return {{Rational(level - other), other}};
+  case Direction::MINUS_V: return p[0];
+  default:                 return Rational(p[0] + p[1]);
   }
 }
 
-// Whether the segments of an isocurve are those of a walk that has made its first stop, up to a
-// number of them, and end where that does. Returns how the isocurve ends.
+// Whether the points of an isocurve behind its start are those of a walk that has made its first
+// stop, up to a vertex of the border, and end where that does.
 template <int N, int D>
-IL::Isocurve_status check_segments(const IL::Isocurve_tracer<Mesh, D>& tracer, const Mesh& mesh,
-                                   const UV_map uv, const Reference_walk<N>& walk,
-                                   const IL::Isocurve_start<Mesh>& start,
-                                   const IL::Isocurve_direction direction,
-                                   std::optional<Stop> stop, const std::size_t maximum,
-                                   const std::string& context)
+void check_points(const IL::Isocurve_tracer<Mesh, D>& tracer, const Mesh& mesh, const UV_map uv,
+                  const Reference_walk<N>& walk, const IL::Isocurve<Mesh>& curve,
+                  std::optional<Stop> stop, const std::string& context)
 {
   using Status = IL::Isocurve_status;
-  IL::Isocurve_walker<Mesh, D> walker(tracer, start, direction);
-  for(std::size_t i = 0; i < maximum && walker.advance() == Status::CONTINUES; ++i) {
-    const auto segment = walker.segment();
-    if(i > 0 && segment.exit_place() != IL::Isocurve_place::VERTEX &&
-       (segment.exit_place() == IL::Isocurve_place::FACE || segment.is_along_edge()))
-      continue; // closed inside of a face or along an edge, where the walk does not stop
+  const bool closes_elsewhere = // it is the start once more, where the walk does not stop
+    curve.status == Status::CLOSED && curve.start.place != IL::Isocurve_place::VERTEX;
+  const std::size_t end = curve.points.size() - (closes_elsewhere ? 1 : 0);
+  for(std::size_t i = 1; i < end; ++i) {
     CHECK_IN(context, bool(stop));
     if(!stop)
-      break;
-    const Halfedge exit = segment.exit();
-    CHECK_IN(context, (segment.exit_place() == IL::Isocurve_place::VERTEX) == stop->is_vertex);
-    CHECK_IN(context, stop->is_vertex ? mesh.target(exit) == mesh.target(stop->halfedge)
-                                      : exit == stop->halfedge);
-    CHECK_IN(context, segment.length_after() == stop->length);
-    CHECK_IN(context, segment.is_along_edge() == stop->is_along_edge);
-    const auto point_at = [&](const Rational& other)
-    { return segment_point(segment.direction(), segment.constant_coordinate(), other); };
-    const Exact_vector to = point_at(segment.to());
-    CHECK_IN(context, stop->is_vertex ? to == exact_point(uv[exit]) : to == stop->point);
-    CHECK_IN(context, sum(point_at(segment.from()),
-                          Rational(segment.length_after() - segment.length_before()),
-                          vector_of<D>(segment.direction())) == to);
+      return;
+    const auto& point = curve.points[i];
+    const Halfedge h = point.halfedge();
+    CHECK_IN(context, (point.place() == IL::Isocurve_place::VERTEX) == stop->is_vertex);
+    CHECK_IN(context, stop->is_vertex ? mesh.target(h) == mesh.target(stop->halfedge)
+                                      : h == stop->halfedge);
+    CHECK_IN(context, point.constant_coordinate() ==
+                        level_of(point.direction(),
+                                 stop->is_vertex ? exact_point(uv[h]) : stop->point));
     if(!stop->is_along_edge) {
-      CHECK_IN(context, segment.face() == mesh.face(stop->halfedge));
-      CHECK_IN(context, vector_of<D>(segment.direction()) == stop->direction);
+      CHECK_IN(context, mesh.face(h) == mesh.face(stop->halfedge));
+      CHECK_IN(context, vector_of<D>(point.direction()) == stop->direction);
     }
     if(stop->is_vertex && mesh.is_border(mesh.target(stop->halfedge)))
-      return Status::BORDER;
+      return;
     if(stop->is_vertex && tracer.is_singular(mesh.target(stop->halfedge))) {
-      CHECK_IN(context, walker.advance() == Status::SINGULAR_VERTEX);
-      break;
+      CHECK_IN(context, i + 1 == end && curve.status == Status::SINGULAR_VERTEX);
+      return;
     }
     stop = walk.next(*stop);
   }
-  const Status status = walker.status();
-  CHECK_IN(context, status == Status::CONTINUES || status == Status::CLOSED ||
-                      status == Status::SINGULAR_VERTEX || (status == Status::BORDER && !stop));
-  return status;
+  CHECK_IN(context, curve.status == Status::MAXIMUM_NUMBER || curve.status == Status::CLOSED ||
+                      (curve.status == Status::BORDER && !stop));
 }
 
 } // namespace lattice_walk

@@ -190,22 +190,19 @@ void test_face_paths(const Mesh& mesh, const UV_map& uv,
 using Segment = IL::Isocurve_segment<Mesh>;
 
 // Whether a segment and a point of the curve, which it ends at, agree.
-bool ends_at(const Segment& segment, const IL::Isocurve_point<Mesh>& point, const Start& start,
-             const Mesh& mesh, const UV_map& uv)
+bool ends_at(const Segment& segment, const IL::Isocurve_point<Mesh>& point, const Mesh& mesh,
+             const UV_map& uv)
 {
   if(segment.exit_place() != point.place() || segment.exit() != point.halfedge() ||
      segment.direction() != point.direction() ||
      segment.constant_coordinate() != point.constant_coordinate())
     return false;
-  if(point.place() == Place::FACE)
-    return segment.to() == Exact_rational(point.running_coordinate());
-  const std::size_t r = int(segment.direction()) % 2 == 0 ? 0 : 1;
+  const int r = int(segment.direction()) % 2 == 0 ? 0 : 1;
   const auto a = uv[mesh.prev(point.halfedge())], b = uv[point.halfedge()];
-  Exact_rational t(1);
-  if(point.place() == Place::EDGE) // a point keeps a start along an edge only rounded
-    t = segment.is_along_edge() ? start.parameter : IL::isocurve_parameter(point, mesh, uv);
-  return segment.to() == Exact_rational(a[int(r)]) +
-                           t * (Exact_rational(b[int(r)]) - Exact_rational(a[int(r)]));
+  const Exact_rational t(
+    point.place() == Place::EDGE ? IL::isocurve_parameter(point, mesh, uv) : Exact_rational(1));
+  return segment.to() ==
+         Exact_rational(a[r]) + t * (Exact_rational(b[r]) - Exact_rational(a[r]));
 }
 
 // Whether two segments follow each other: the same point of the mesh, seen from both.
@@ -263,7 +260,7 @@ bool has_good_segments(const Curve& curve, const Tracer& tracer, const Mesh& mes
     const Segment& segment = segments.emplace_back(walker.segment());
     const int sign = int(segment.direction()) < 2 ? 1 : -1;
     if(segment.length_before() != length ||
-       !ends_at(segment, curve.points[segments.size()], curve.start, mesh, uv))
+       !ends_at(segment, curve.points[segments.size()], mesh, uv))
       return false;
     length += sign * (segment.to() - segment.from());
     if(segment.length_after() != length)
@@ -288,18 +285,9 @@ void test_segments(const Mesh& mesh, const UV_map& uv, const Tracer& tracer)
 {
   const auto limit = parameters::maximum_number(60);
   std::size_t bad = 0;
-  for(const auto h : mesh.halfedges()) {
-    if(mesh.is_border(h) || std::size_t(h) % 4 != 0)
-      continue;
-    const auto a = uv[mesh.prev(h)], b = uv[h], c = uv[mesh.next(h)];
-    for(const Start& start :
-        {Start::at_vertex(h), Start::on_edge(h, Exact_rational(1) / 3),
-         Start::in_face(h, a.x() / 4 + b.x() / 4 + c.x() / 2, a.y() / 4 + b.y() / 4 + c.y() / 2)})
-      for(int direction = 0; direction < 4; ++direction) {
-        const Curve curve = tracer.trace(start, Direction(direction), limit);
-        bad += has_good_segments(curve, tracer, mesh, uv) ? 0 : 1;
-      }
-  }
+  for(const auto v : mesh.vertices())
+    for(const auto& [start, direction] : tracer.outgoing(v))
+      bad += has_good_segments(tracer.trace(start, direction, limit), tracer, mesh, uv) ? 0 : 1;
   CHECK_EQUAL(bad, std::size_t(0));
 }
 

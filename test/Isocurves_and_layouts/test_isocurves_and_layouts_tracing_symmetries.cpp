@@ -2,7 +2,6 @@
 // along all directions, from vertices, edges, and faces; and as constraints they meet the cones
 // again that noise made them miss.
 
-#include "Isocurve_walker.h"
 #include "checking.h"
 #include "hexagonal_data.h"
 #include "hexagonal_maps.h"
@@ -79,10 +78,10 @@ std::map<Status, std::size_t> check_isocurves(const IL::Isocurve_tracer<Mesh, D>
     const std::string context = name + ", from halfedge " + std::to_string(start.halfedge) +
                                 ", place " + std::to_string(int(start.place)) + ", direction " +
                                 std::to_string(int(direction));
-    ++ends[lattice_walk::check_segments(tracer, mesh, uv, walk, start, direction, first, maximum,
-                                        context)];
     const auto curve =
       tracer.trace(start, direction, IL::parameters::maximum_number(maximum).maximum_length(1e9));
+    ++ends[curve.status];
+    lattice_walk::check_points(tracer, mesh, uv, walk, curve, first, context);
     CHECK_IN(context, tracing_checks::is_good(tracer, curve, mesh, uv));
     for(const auto& point : curve.points) { // rounded, and exact in the chart of the halfedge
       const Vector u = IL::isocurve_uv(point, mesh, uv);
@@ -139,22 +138,6 @@ void check_rays(const IL::Isocurve_tracer<Mesh, 6>& tracer, const Mesh& mesh,
       CHECK_IN(context, rays[i].first.halfedge != rays[i - 1].first.halfedge ||
                           lattice_walk::vector_of<6>(rays[i].second) ==
                             turned<6>(1, lattice_walk::vector_of<6>(rays[i - 1].second)));
-    for(std::size_t i = 0; i < rays.size(); ++i) { // arriving, one finds the way back
-      IL::Isocurve_walker<Mesh, 6> there(tracer, rays[i].first, rays[i].second);
-      CHECK_IN(context, there.advance() == Status::CONTINUES);
-      if(there.segment().exit_place() != IL::Isocurve_place::VERTEX)
-        continue;
-      const auto end = there.segment();
-      const auto around = tracer.outgoing(mesh.target(end.exit()));
-      const std::size_t slot = IL::outgoing_index(tracer, end);
-      CHECK_IN(context, slot < around.size());
-      if(slot >= around.size())
-        continue;
-      IL::Isocurve_walker<Mesh, 6> back(tracer, around[slot].first, around[slot].second);
-      CHECK_IN(context, back.advance() == Status::CONTINUES &&
-                          mesh.target(back.segment().exit()) == v &&
-                          IL::outgoing_index(tracer, back.segment()) == i);
-    }
   }
   CHECK_IN(context, tracer.separatrices(IL::parameters::maximum_number(1)).size() == number);
 }

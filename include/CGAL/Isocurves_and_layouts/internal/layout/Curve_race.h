@@ -223,7 +223,7 @@ private:
   void add_end_at_border(const Curve_index c, const Chart_segment& segment)
   {
     const Corner_index h = segment.exit.halfedge;
-    const Exact_level running(running_to(m_mesh, segment));
+    const Exact_level running(running_at(m_mesh, segment, segment.exit));
     Meeting meeting;
     meeting.kind = Meeting_kind::BORDER;
     meeting.place.place = segment.exit.place;

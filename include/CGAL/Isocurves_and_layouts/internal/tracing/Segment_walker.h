@@ -35,7 +35,7 @@ namespace Isocurves_and_layouts {
 namespace internal {
 
 // An end of a segment: the corner of its face at a vertex, or the halfedge of its face on which it
-// lies. Inside of a face, `halfedge` is one of the face.
+// lies.
 struct Segment_end
 {
   Isocurve_place place = Isocurve_place::VERTEX;
@@ -51,78 +51,43 @@ struct Chart_segment
   Direction direction = 0;
   Exact_level level;             // of the constant component
   Exact_level origin;            // the running component of the start of the curve
-  bool is_first = false;         // its entry is the start of the curve
-  bool is_closing = false;       // its exit is the start, which is no vertex, and its running
-  Exact_level closing;           // component is this
 
-  Flat_face_index face() const { return Flat_mesh<Flat_corner>::face(exit.halfedge); }
+  Flat_face_index face() const { return Chart_mesh::face(exit.halfedge); }
 };
 
 // The running component where an isocurve crosses the edge of a halfedge.
-template <typename Group>
-Exact_rational running_on_edge(const Basic_chart_mesh<Group>& mesh, const Corner_index h,
-                               const Direction direction, const Exact_level& level)
+inline Exact_rational running_on_edge(const Chart_mesh& mesh, const Corner_index h,
+                                      const Direction direction, const Exact_level& level)
 {
-  const std::size_t c = constant_component<Group>(direction);
-  const Exact_rational a = exact_value(mesh.component(mesh.prev(h), c));
-  const Exact_rational b = exact_value(mesh.component(h, c));
+  const std::size_t c = constant_component(direction);
+  const Exact_rational a(mesh.uv(Chart_mesh::prev(h))[c]), b(mesh.uv(h)[c]);
   return component_on_edge(mesh, h, Exact_rational((level.exact() - a) / (b - a)),
-                           running_component<Group>(direction));
+                           running_component(direction));
 }
 
-// The running component at an end that is not a start inside of a face or edge.
-template <typename Group>
-Exact_rational running_at(const Basic_chart_mesh<Group>& mesh, const Chart_segment& segment,
-                          const Segment_end& end)
+// The running component at an end.
+inline Exact_rational running_at(const Chart_mesh& mesh, const Chart_segment& segment,
+                                 const Segment_end& end)
 {
   if(end.place != Isocurve_place::VERTEX)
     return running_on_edge(mesh, end.halfedge, segment.direction, segment.level);
-  return exact_value(mesh.component(end.halfedge, running_component<Group>(segment.direction)));
-}
-
-template <typename Group>
-Exact_rational running_to(const Basic_chart_mesh<Group>& mesh, const Chart_segment& segment)
-{
-  return segment.is_closing ? segment.closing.exact() : running_at(mesh, segment, segment.exit);
+  return Exact_rational(mesh.uv(end.halfedge)[running_component(segment.direction)]);
 }
 
 // Invariant: after a call of advance() that returned CONTINUES, the segment is the last one so far.
-template <typename Group>
-class Basic_segment_walker
+class Segment_walker
 {
-  using Mesh = Basic_chart_mesh<Group>;
-  using Decisions = Basic_exact_decisions<Group>;
-  using Walk = Isocurve_walk<Decisions, Group>;
-  using State = typename Walk::State;
+  using Walk = Isocurve_walk<Exact_decisions>;
+  using State = Walk::State;
 
 public:
-  // The arguments have to outlive the walker. Needs rounding to nearest, as do all functions.
-  Basic_segment_walker(const Mesh& mesh, const Walk_limits& limits, const Chart_start& start,
-                       const Direction direction)
-    : m_mesh(&mesh), m_walk(mesh, limits, Decisions(mesh))
+  // Along a ray from a vertex. The mesh and the limits have to outlive the walker. Needs rounding
+  // to nearest, as do all functions.
+  Segment_walker(const Chart_mesh& mesh, const Walk_limits& limits, const Vertex_ray& ray)
+    : m_mesh(&mesh), m_walk(mesh, limits, Exact_decisions(mesh))
   {
-    Decisions decisions(mesh);
-    const auto beginning = begin_walk(mesh, start, direction, decisions, m_walk);
-    m_status = beginning.status;
-    m_is_at_first_state = beginning.is_first_state;
-    m_may_close_inside = start.place != Isocurve_place::VERTEX && !beginning.is_first_state;
-    if(m_is_at_first_state) // maybe in the chart of the other face of its edge
-      set_start(m_walk.state(), start.place,
-                running_on_edge(mesh, m_walk.state().halfedge, m_walk.state().direction,
-                                m_walk.state().level));
-    else
-      set_start(beginning.start, start.place, beginning.running);
-  }
-
-  // Along a ray from a vertex.
-  Basic_segment_walker(const Mesh& mesh, const Walk_limits& limits, const Vertex_ray& ray)
-    : m_mesh(&mesh), m_walk(mesh, limits, Decisions(mesh))
-  {
-    State start;
-    start.is_at_vertex = true;
-    start.halfedge = ray.corner;
-    start.direction = ray.direction;
-    set_start(start, Isocurve_place::VERTEX, Exact_rational(0));
+    m_segment.entry.halfedge = ray.corner;
+    m_segment.origin = Exact_level(mesh.uv(ray.corner)[running_component(ray.direction)]);
     m_walk.begin_at_vertex(ray);
   }
 
@@ -131,17 +96,14 @@ public:
   {
     if(m_status != Isocurve_status::CONTINUES)
       return m_status;
-    if(m_is_first_segment && !m_is_at_first_state) {
-      m_segment.entry = m_start;
-    } else if(m_segment.is_closing) {
-      return m_status = Isocurve_status::CLOSED;
-    } else {
+    if(m_has_segment) {
       const State before = m_walk.state();
       m_status = m_walk.step();
       if(m_status != Isocurve_status::CONTINUES)
         return m_status;
       carry_origin(before);
     }
+    m_has_segment = true;
     update_segment();
     return m_status;
   }
@@ -150,18 +112,6 @@ public:
   const Chart_segment& segment() const { return m_segment; }
 
 private:
-  void set_start(const State& start, const Isocurve_place place, const Exact_rational& running)
-  {
-    m_start = {place, start.halfedge};
-    m_segment.direction = start.direction;
-    m_segment.origin =
-      place == Isocurve_place::VERTEX
-        ? Exact_level(m_mesh->component(start.halfedge,
-                                        running_component<Group>(start.direction)))
-        : Exact_level(running);
-    m_segment.closing = m_segment.origin;
-  }
-
   void update_segment()
   {
     const State& state = m_walk.state();
@@ -170,29 +120,6 @@ private:
     m_segment.direction = state.direction;
     m_segment.level = state.level;
     m_segment.along = edge_along(state);
-    m_segment.is_first = m_is_first_segment;
-    if(m_is_first_segment)
-      m_first_state = state;
-    else if(m_may_close_inside && is_first_state(state))
-      close();
-    m_is_first_segment = false;
-  }
-
-  // The segment leads to the start only, and is in its chart also where it lies along an edge and
-  // the curve has come through the other face.
-  void close()
-  {
-    m_segment.is_closing = true;
-    m_segment.exit = m_start;
-    if(m_segment.along == no_index || m_segment.along == m_start.halfedge)
-      return;
-    carry_over_edge(*m_mesh, m_segment.along, running_component<Group>(m_segment.direction),
-                    m_segment.origin);
-    m_segment.along = m_start.halfedge;
-    m_segment.entry.halfedge = m_first_state.halfedge == m_start.halfedge
-                                 ? Mesh::prev(m_start.halfedge) : m_start.halfedge;
-    m_segment.direction = m_first_state.direction;
-    m_segment.level = m_first_state.level;
   }
 
   // The halfedge of the state's face on which the curve has come to its vertex, if it has.
@@ -200,61 +127,43 @@ private:
   {
     if(!state.is_at_vertex || state.arrival_key == no_index)
       return no_index;
-    return m_mesh->edge_key(state.halfedge) == state.arrival_key ? state.halfedge
-                                                                 : Mesh::next(state.halfedge);
-  }
-
-  bool is_first_state(const State& state) const
-  {
-    if(state.is_at_vertex && state.arrival_key != no_index)
-      return state.arrival_key == m_first_state.arrival_key &&
-             m_mesh->vertex(state.halfedge) == m_mesh->vertex(m_first_state.halfedge);
-    return state.halfedge == m_first_state.halfedge && state.direction == m_first_state.direction &&
-           state.is_at_vertex == m_first_state.is_at_vertex &&
-           state.level == m_first_state.level;
+    return m_mesh->edge_key(state.halfedge) == state.arrival_key
+             ? state.halfedge : Chart_mesh::next(state.halfedge);
   }
 
   // From the chart in front of an edge or vertex to that behind it; sets the entry.
   void carry_origin(const State& before)
   {
     const State& state = m_walk.state();
+    const std::size_t r = running_component(before.direction);
     if(!before.is_at_vertex) {
       m_segment.entry = {Isocurve_place::EDGE, m_mesh->opposite(before.halfedge)};
-      carry_over_edge(*m_mesh, before.halfedge, running_component<Group>(before.direction),
-                      m_segment.origin);
+      carry_over_edge(*m_mesh, before.halfedge, r, m_segment.origin);
       return;
     }
     const Corner_index corner = corner_left_by(state);
     m_segment.entry = {Isocurve_place::VERTEX, corner};
-    const int sign = running_sign<Group>(before.direction) * running_sign<Group>(state.direction);
+    const int sign = running_sign(before.direction) * running_sign(state.direction);
     m_segment.origin.transform(
-      sign, offset<Group>(m_mesh->component(before.halfedge,
-                                            running_component<Group>(before.direction)),
-                          sign,
-                          m_mesh->component(corner, running_component<Group>(state.direction))));
+      sign, offset<Quarter_turns>(m_mesh->component(before.halfedge, r), sign,
+                                  m_mesh->component(corner, running_component(state.direction))));
   }
 
   // The corner of the state's face at the vertex that the curve has left.
   Corner_index corner_left_by(const State& state) const
   {
     if(!state.is_at_vertex)
-      return Mesh::next(state.halfedge);
+      return Chart_mesh::next(state.halfedge);
     const Corner_index along = edge_along(state);
-    return along == state.halfedge ? Mesh::prev(along) : along;
+    return along == state.halfedge ? Chart_mesh::prev(along) : along;
   }
 
-  const Mesh* m_mesh;
+  const Chart_mesh* m_mesh;
   Walk m_walk;
-  Segment_end m_start;
-  State m_first_state;
   Chart_segment m_segment;
   Isocurve_status m_status = Isocurve_status::CONTINUES;
-  bool m_is_first_segment = true;
-  bool m_is_at_first_state = false; // the walk has begun at the start, not behind the first segment
-  bool m_may_close_inside = false;  // of a segment
+  bool m_has_segment = false;
 };
-
-using Segment_walker = Basic_segment_walker<Quarter_turns>;
 
 } // namespace internal
 } // namespace Isocurves_and_layouts
