@@ -37,11 +37,9 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
-#include <vector>
 
 namespace CGAL {
 namespace Quad_remeshing {

@@ -43,7 +43,6 @@
 #include <cstddef>
 #include <limits>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -29,7 +29,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL {

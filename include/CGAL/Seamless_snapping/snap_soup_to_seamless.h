@@ -28,7 +28,6 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
-#include <stdexcept>
 
 namespace CGAL {
 namespace Seamless_snapping {

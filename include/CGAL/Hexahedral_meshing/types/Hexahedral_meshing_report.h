@@ -21,7 +21,6 @@
 #include <CGAL/Hexahedral_meshing/types/Hexahedron_shapes.h>
 
 #include <cstddef>
-#include <string>
 
 namespace CGAL {
 namespace Hexahedral_meshing {

@@ -23,7 +23,6 @@
 
 #include <boost/container_hash/hash.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

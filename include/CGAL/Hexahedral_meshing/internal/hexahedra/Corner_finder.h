@@ -19,7 +19,6 @@
 
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Grid_vertices.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -21,7 +21,6 @@
 #include <CGAL/Hexahedral_meshing/internal/hexahedra/Cell_sides.h>
 #include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

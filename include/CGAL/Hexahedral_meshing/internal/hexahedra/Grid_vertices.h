@@ -22,7 +22,6 @@
 #include <CGAL/Linear_snapping/internal/support/for_each_chunk.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

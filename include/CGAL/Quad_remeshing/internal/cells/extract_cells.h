@@ -39,7 +39,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>

@@ -34,7 +34,6 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 

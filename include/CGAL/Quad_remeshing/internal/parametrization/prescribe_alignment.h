@@ -22,7 +22,6 @@
 
 #include <cmath>
 #include <complex>
-#include <string>
 #include <vector>
 
 namespace CGAL {
