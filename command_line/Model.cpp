@@ -2,6 +2,7 @@
 
 #include "Failure.h"
 #include "Progress.h"
+#include "attributes.h"
 #include "files.h"
 #include "words.h"
 #include "maps/map_measures.h"
@@ -10,7 +11,6 @@
 #include <CGAL/Seamless_snapping/IO/PLY.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,9 +68,7 @@ std::string OBJ_of_PLY(const std::string& text, const std::string& filename, con
                        const std::string& t)
 {
   Mesh mesh;
-  std::istringstream file(text);
-  std::string comments;
-  if(!CGAL::IO::read_PLY(file, mesh, comments, false))
+  if(!read_PLY_mesh(text, mesh))
     throw Failure(UNREADABLE, filename + ": the file has coordinates '" + s + "' and '" + t +
                                 "' at vertices; they are read from surfaces only, and this is none");
   const std::vector<double> u = numbers_at_vertices(mesh, s), v = numbers_at_vertices(mesh, t);

@@ -85,13 +85,10 @@ std::string missing_properties(const std::string& filename, const std::string& t
 }
 
 // Returns whether it is one that CGAL can read as a mesh.
-bool read_PLY_mesh(const std::string& filename, Mesh& mesh)
+bool read_PLY_file(const std::string& filename, Mesh& mesh)
 {
-  if(is_special_file(filename) || suffix_of(filename) != "ply")
-    return false;
-  std::istringstream stream(read_file(filename));
-  std::string comments;
-  return CGAL::IO::read_PLY(stream, mesh, comments, false);
+  return !is_special_file(filename) && suffix_of(filename) == "ply" &&
+         read_PLY_mesh(read_file(filename), mesh);
 }
 
 // The same, where vertices may have been joined with others in the same place: those of the face.
@@ -542,6 +539,13 @@ bool holds_more_than_a_mesh(const std::string& filename)
 
 } // namespace
 
+bool read_PLY_mesh(const std::string& text, Mesh& mesh)
+{
+  std::istringstream stream(text);
+  std::string comments;
+  return CGAL::IO::read_PLY(stream, mesh, comments, false);
+}
+
 std::string text_with_attributes(const Model& model, const std::string& input, Located_quads& quads,
                                  const std::string& filename)
 {
@@ -557,7 +561,7 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
   Mesh file;
   const bool has_properties =
     format == "ply" && !is_special_file(input) && suffix_of(input) == "ply";
-  if(has_properties && !read_PLY_mesh(input, file)) {
+  if(has_properties && !read_PLY_file(input, file)) {
     std::cerr << "note: " << input << " is no mesh before repairs: its attributes are not carried "
               << "over" << std::endl;
   } else if(has_properties) {
@@ -605,7 +609,7 @@ read_sizes(const std::string& property_or_file, const std::string& input, const 
   Mesh file;
   std::vector<double> values;
   const bool is_property =
-    read_PLY_mesh(input, file) &&
+    read_PLY_file(input, file) &&
     read_property_of_any<float, double, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
                          std::int32_t, std::uint32_t>(file, property_or_file, values);
   if(!is_property) {

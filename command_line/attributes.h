@@ -37,6 +37,9 @@ struct Located_quads
   }
 };
 
+// Whether CGAL reads the text of a .ply file as a mesh, with what hangs on it.
+bool read_PLY_mesh(const std::string& text, Mesh& mesh);
+
 // The quads with what hangs on the file of the model, if they are to be of the same format; else the
 // quads alone. Floating-point numbers, colors, and texture coordinates are interpolated; integers are
 // those of the nearest vertex, and what hangs on faces that of the face below the middle of a quad.

@@ -8,13 +8,11 @@
 #include "full_seamless_system.h"
 
 #include <CGAL/Seamless_snapping/seam_transitions.h>
-#include <CGAL/Surface_mesh/IO/PLY.h>
 #include <CGAL/Timer.h>
 
 #include <limits>
 #include <memory>
 #include <random>
-#include <sstream>
 #include <stdexcept>
 
 using namespace surface_checks;
@@ -200,9 +198,8 @@ void test_local_grids()
   }
 }
 
-// Files with 32-bit coordinates keep seams that are exact in float. PLY in binary, with u and v per
-// halfedge.
-void test_float_files()
+// Seams of coordinates with 32 bits, as files have them, are exact in these.
+void test_float_coordinates()
 {
   using Mesh = CGAL::Surface_mesh<Float_kernel::Point_3>;
   unsigned int seed = 0;
@@ -212,28 +209,8 @@ void test_float_files()
     const Truth<Mesh, std::decay_t<decltype(uv)> > truth(mesh, uv);
     uv_noise::perturb(mesh, uv, 1e-6 * truth.extent, ++seed);
     CHECK_IN(named.name, bool(SS::snap_to_seamless(mesh, uv)));
-    const auto u = mesh.add_property_map<Mesh::Halfedge_index, float>("h:u").first;
-    const auto v = mesh.add_property_map<Mesh::Halfedge_index, float>("h:v").first;
-    for(const auto h : mesh.halfedges()) {
-      u[h] = uv[h].x();
-      v[h] = uv[h].y();
-    }
-    std::stringstream file;
-    CGAL::IO::set_binary_mode(file);
-    CHECK_IN(named.name, CGAL::IO::write_PLY(file, mesh));
-    Mesh read;
-    std::string comments;
-    CHECK_IN(named.name, CGAL::IO::read_PLY(file, read, comments));
-    const auto read_u = read.add_property_map<Mesh::Halfedge_index, float>("h:u");
-    const auto read_v = read.add_property_map<Mesh::Halfedge_index, float>("h:v");
-    CHECK_IN(named.name, !read_u.second && !read_v.second); // not new
-    const auto read_uv =
-        read.add_property_map<Mesh::Halfedge_index, Float_kernel::Point_2>("h:read").first;
-    for(const auto h : read.halfedges())
-      read_uv[h] = Float_kernel::Point_2(read_u.first[h], read_v.first[h]);
-    CHECK_EQUAL(read.number_of_faces(), mesh.number_of_faces());
-    CHECK_IN(named.name, SS::is_seamless(read, read_uv));
-    CHECK_IN(named.name, exact_check::check_edges(read, read_uv).is_exact());
+    CHECK_IN(named.name, SS::is_seamless(mesh, uv));
+    CHECK_IN(named.name, exact_check::check_edges(mesh, uv).is_exact());
   }
 }
 
@@ -432,7 +409,7 @@ int main()
   test_shared_places();
   test_vertex_at_origin();
   test_local_grids();
-  test_float_files();
+  test_float_coordinates();
   std::cout.precision(3);
   test_random_noise<Kernel>(400, -15, -6, "noise");
   test_random_noise<Float_kernel>(100, -7, -5.3, "noise on floats");
