@@ -26,7 +26,7 @@
 
 namespace benchmark {
 
-using Kernel = CGAL::Quad_remeshing::internal::Surface_to_remesh::Kernel;
+using Kernel = CGAL::Quad_remeshing::internal::Remeshing_types::Kernel;
 using Triangles = std::vector<Kernel::Triangle_3>;
 
 #if CGAL_VERSION_NR >= 1060000000

@@ -21,10 +21,10 @@
 #include <CGAL/Linear_snapping/internal/exact/Protect_exact_arithmetic.h>
 #include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
+#include <CGAL/Quad_remeshing/internal/Remeshing_options.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Marked_surface.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Mirror.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_writer.h>
-#include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
 #include <CGAL/Quad_remeshing/internal/support/Work.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 #include <CGAL/Quad_remeshing/types/Remeshing_report.h>
@@ -98,24 +98,28 @@ std::optional<Mirror> mirror_of([[maybe_unused]] const NamedParameters& np)
     return std::nullopt;
 }
 
+// By how much the area grows, in units of its sizes: a mirror replaces what is below by the image
+// of what is above.
+double growth_by(const Mirror& mirror, const Marked_surface& input);
+
 // Makes the quads of a surface, as large as the input, in all attempts.
 // \param input loses the closed parts that the options leave out
 // \param is_feature of the edges of `quads`
 Remeshing_report remesh(Marked_surface& input, const std::optional<Mirror>& mirror,
-                        const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
-                        const Surface_to_remesh::Feature_map& is_feature);
+                        const Remeshing_options& options, Remeshing_types::Mesh& quads,
+                        const Remeshing_types::Feature_map& is_feature);
 
 // Gives the quads of a quantization a better shape.
-Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantization,
-                        const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
-                        const Surface_to_remesh::Feature_map& is_feature);
+Remeshing_report smooth(const Marked_surface& input, const Quantization& quantization,
+                        const Remeshing_options& options, Remeshing_types::Mesh& quads,
+                        const Remeshing_types::Feature_map& is_feature);
 
 // The largest distances of quads, as large as the input, from all of it, and of it from them; the
 // lengths of their edges. Returns the faces of the input that are nearest to elements of `located`.
 // \param number_wanted of quads for the input, which tells the unit of sizes; 0 where these are not
 // known
-Nearest_faces measure_quads(const Surface_to_remesh& input, double number_wanted,
-                            Surface_to_remesh::Mesh quads, Located_elements located,
+Nearest_faces measure_quads(const Marked_surface& input, double number_wanted,
+                            Remeshing_types::Mesh quads, Located_elements located,
                             Remeshing_report& report);
 
 // The edges on features of a quantization and on the border.
@@ -141,7 +145,7 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
                              const NamedParameters1& np1, const NamedParameters2& np2,
                              const bool has_wanted_number, const MakeQuads& make_quads)
 {
-  using Mesh = Surface_to_remesh::Mesh;
+  using Mesh = Remeshing_types::Mesh;
   using Point =
     typename boost::property_traits<decltype(point_map_of_quads(quads, np2))>::value_type;
   using FT = typename CGAL::Kernel_traits<Point>::Kernel::FT;
@@ -151,11 +155,8 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   const auto is_feature = result.add_property_map<Mesh::Edge_index, bool>("e:is_feature").first;
   Remeshing_options options = remeshing_options(tmesh, np1, std::is_same<FT, float>::value);
   Marked_surface input = read_surface(tmesh, np1);
-  const auto area_of = [&](const std::optional<Mirror>& mirror)
-    { return area_in_squares(Surface_to_remesh(input, mirror)); };
-  double growth = 1; // of the area: a mirror replaces what is below by the image of what is above
-  if(const auto mirror = mirror_of(np1))
-    growth = 2 * area_of(mirror) / area_of(std::nullopt);
+  const std::optional<Mirror> mirror = mirror_of(np1);
+  const double growth = mirror ? growth_by(*mirror, input) : 1;
   if(has_wanted_length<NamedParameters1>)
     options.quantization.number_of_quads *= growth;
   Remeshing_report report = make_quads(input, result, is_feature, options);
@@ -164,8 +165,8 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   const double number_wanted = has_wanted_number ? options.number_wanted() / growth : 0;
   const Quad_writer<TriangleMesh, QuadMesh, NamedParameters1, NamedParameters2>
     writer(tmesh, np1, np2);
-  const Nearest_faces nearest = measure_quads(Surface_to_remesh(input, std::nullopt),
-                                              number_wanted, result, writer.located(), report);
+  const Nearest_faces nearest =
+    measure_quads(input, number_wanted, result, writer.located(), report);
   writer.write(result, is_feature, nearest, quads);
   return report;
 }
@@ -489,9 +490,8 @@ Remeshing_report quad_remesh(const Quantization& quantization, const TriangleMes
     if(!extracted)
       return refused<Remeshing_report>(extracted.status, extracted.message);
     const auto features = walls(quantization, tmesh);
-    Surface_to_remesh surface(
-      read_surface(tmesh, parameters.edge_is_constrained_map(features)), std::nullopt);
-    return smooth(surface, quantization, options, result, is_feature);
+    return smooth(read_surface(tmesh, parameters.edge_is_constrained_map(features)), quantization,
+                  options, result, is_feature);
   };
   return write_quads(tmesh, quads, parameters, strip(np2, quad_mesh_parameters), false, make_quads);
 }

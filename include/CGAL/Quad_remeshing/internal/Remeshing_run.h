@@ -19,6 +19,7 @@
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
+#include <CGAL/Quad_remeshing/internal/Remeshing_options.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
 #include <CGAL/Quad_remeshing/internal/support/Work.h>
 #include <CGAL/Quad_remeshing/quantize.h>
@@ -33,24 +34,6 @@
 namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
-
-struct Remeshing_options
-{
-  Quantization_options quantization;
-  std::optional<double> curvature_alignment;
-  double curvature_adaptivity;
-  std::optional<double> border_tolerance; // in the size of the input
-  std::optional<double> area_threshold;   // the same
-  std::size_t number_of_smoothing_rounds;
-  bool has_single_precision; // the points of the quads
-
-  // The wanted number of quads; 0 if no lengths are wanted.
-  double number_wanted() const
-  {
-    return quantization.is_coarsest || curvature_adaptivity > 1 ? 0.
-                                                                : quantization.number_of_quads;
-  }
-};
 
 // In units of its sizes.
 inline double area_in_squares(const Surface_to_remesh& surface)

@@ -110,10 +110,11 @@ inline Nearest_faces nearest_faces(const Surface_to_remesh& input,
 }
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-Nearest_faces measure_quads(const Surface_to_remesh& input, const double number_wanted,
-                            Surface_to_remesh::Mesh quads, const Located_elements located,
+Nearest_faces measure_quads(const Marked_surface& surface, const double number_wanted,
+                            Remeshing_types::Mesh quads, const Located_elements located,
                             Remeshing_report& report)
 {
+  const Surface_to_remesh input(surface, std::nullopt);
   for(auto& p : quads.points())
     p = {input.scaled(p.x()), input.scaled(p.y()), input.scaled(p.z())};
   const Quad_smoother smoother(quads, input.mesh());

@@ -793,6 +793,13 @@ private:
 };
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+double growth_by(const Mirror& mirror, const Marked_surface& input)
+{
+  return 2 * area_in_squares(Surface_to_remesh(input, mirror)) /
+         area_in_squares(Surface_to_remesh(input, std::nullopt));
+}
+
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Remeshing_report remesh(Marked_surface& input, const std::optional<Mirror>& mirror,
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
@@ -825,10 +832,11 @@ Remeshing_report remesh(Marked_surface& input, const std::optional<Mirror>& mirr
 }
 
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-Remeshing_report smooth(Surface_to_remesh& surface, const Quantization& quantization,
+Remeshing_report smooth(const Marked_surface& input, const Quantization& quantization,
                         const Remeshing_options& options, Surface_to_remesh::Mesh& quads,
                         const Surface_to_remesh::Feature_map& is_feature)
 {
+  Surface_to_remesh surface(input, std::nullopt);
   return Quad_remesher(surface, options, quads, is_feature).run_on_quads(quantization);
 }
 

@@ -20,7 +20,7 @@
 
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/internal/packages_below.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Marked_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -146,10 +146,10 @@ struct Nearest_faces
   std::vector<std::size_t> of_vertices, of_faces;
 };
 
-inline Surface_to_remesh::Point middle(const Surface_to_remesh::Mesh& quads,
-                                       const Surface_to_remesh::Face f)
+inline Remeshing_types::Point middle(const Remeshing_types::Mesh& quads,
+                                       const Remeshing_types::Face f)
 {
-  Surface_to_remesh::Kernel::Vector_3 sum(0, 0, 0);
+  Remeshing_types::Kernel::Vector_3 sum(0, 0, 0);
   for(const auto v : quads.vertices_around_face(quads.halfedge(f)))
     sum = sum + (quads.point(v) - CGAL::ORIGIN) / 4;
   return CGAL::ORIGIN + sum;
@@ -167,7 +167,7 @@ template <typename TriangleMesh, typename QuadMesh, typename NamedParameters1,
           typename NamedParameters2>
 class Quad_writer
 {
-  using Mesh = Surface_to_remesh::Mesh;
+  using Mesh = Remeshing_types::Mesh;
   using Face = typename boost::graph_traits<TriangleMesh>::face_descriptor;
 
 public:
@@ -181,7 +181,7 @@ public:
             is_given<decltype(parameter(internal_np::face_location))>};
   }
 
-  void write(const Mesh& result, const Surface_to_remesh::Feature_map& is_feature,
+  void write(const Mesh& result, const Remeshing_types::Feature_map& is_feature,
              const Nearest_faces& nearest, QuadMesh& quads) const
   {
     const auto vertex_map = parameter(internal_np::vertex_location);
