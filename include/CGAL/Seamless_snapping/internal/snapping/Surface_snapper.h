@@ -46,6 +46,28 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
+// The corners that change. The new coordinates are kept once for all corners of a point: a corner
+// takes little memory, of which new pages are the larger part of the time.
+template <typename Halfedge>
+struct Surface_changes
+{
+  struct Corner
+  {
+    Halfedge corner;
+    Sector_index point;
+    Uv before;
+  };
+
+  Corner_change<Halfedge, Uv> operator()(const std::size_t i) const
+  {
+    const Corner& c = corners[i];
+    return {c.corner, c.before, points[std::size_t(c.point)]};
+  }
+
+  std::vector<Uv> points;
+  std::vector<Corner> corners;
+};
+
 // Collects the corners that change, and measures by how much. `Stars` know the points that repairs
 // of orientations have met: the sectors, and then vertices without a sector.
 template <typename Group, typename Surface, typename Stars>
@@ -53,20 +75,19 @@ class Change_collector
 {
   using Halfedge = typename Surface::Halfedge;
   using Cuts = Surface_cuts<Group, Halfedge>;
-  using Change = Corner_change<Halfedge, Uv>;
 
 public:
   // \param uv the exact coordinates, per point
   Change_collector(const Cuts& cuts, const Stars& stars, const Surface& surface,
-                   const std::vector<Uv>& uv)
-    : m_cuts(cuts), m_stars(stars), m_surface(surface)
+                   std::vector<Uv> uv)
+    : m_cuts(cuts), m_stars(stars), m_surface(surface), m_changes{std::move(uv), {}}
   {
-    for(std::size_t i = number_of_sectors(); i < uv.size(); ++i)
-      collect_free_point(Sector_index(i), uv[i]);
-    collect_sectors(uv);
+    for(std::size_t i = number_of_sectors(); i < m_changes.points.size(); ++i)
+      collect_free_point(Sector_index(i));
+    collect_sectors();
   }
 
-  std::vector<Change> take() { return std::move(m_changes); }
+  Surface_changes<Halfedge> take() { return std::move(m_changes); }
 
   // The changes of all Cartesian coordinates. Each sector, and each vertex without one, counts
   // once; corners that differ share its weight.
@@ -88,29 +109,31 @@ private:
       m_magnitudes.add(x, weight);
   }
 
-  void collect_free_point(const Sector_index p, const Uv& after)
+  void collect_free_point(const Sector_index p)
   {
+    const Uv& after = m_changes.points[std::size_t(p)];
     double count = 0;
     m_stars.for_each_corner(p, [&](const auto) { count += 1; });
     m_stars.for_each_corner(p, [&](const auto corner) {
       const Uv before = m_surface.uv(corner);
       if(before == after)
         return;
-      m_changes.push_back({corner, before, after});
+      m_changes.corners.push_back({corner, p, before});
       measure(before, after, 1 / count);
     });
   }
 
-  void collect_sectors(const std::vector<Uv>& uv)
+  void collect_sectors()
   {
     constexpr std::ptrdiff_t lookahead = 32; // corners
     const std::vector<Halfedge>& corners = m_cuts.corners.elements();
     const Halfedge* const end = corners.data() + corners.size();
-    m_changes.reserve(m_changes.size() + corners.size());
+    m_changes.corners.reserve(m_changes.corners.size() + corners.size());
     for(std::size_t i = 0; i < number_of_sectors(); ++i) {
       const Sector_index s = Sector_index(i);
       const Uv& before = m_cuts.complex.coordinates[i];
-      const Uv after = with_signs_of_zeros(uv[i], before);
+      Uv& after = m_changes.points[i];
+      after = with_signs_of_zeros(after, before);
       const bool is_mixed = m_cuts.complex.find_mixed_sector(s) != nullptr;
       if(!is_mixed)
         measure(before, after, 1);
@@ -118,9 +141,9 @@ private:
       for(const Halfedge& h : m_cuts.corners[s]) {
         if(end - &h > lookahead)
           m_surface.prefetch((&h)[lookahead]);
-        m_changes.push_back({h, m_surface.uv(h), after});
+        m_changes.corners.push_back({h, s, m_surface.uv(h)});
         if(is_mixed)
-          measure(m_changes.back().before, after, weight);
+          measure(m_changes.corners.back().before, after, weight);
       }
     }
   }
@@ -130,7 +153,7 @@ private:
   const Cuts& m_cuts;
   const Stars& m_stars;
   const Surface& m_surface;
-  std::vector<Change> m_changes;
+  Surface_changes<Halfedge> m_changes;
   Magnitudes m_magnitudes;
 };
 
@@ -169,7 +192,6 @@ protected:
   using Options = Snapping_options<Halfedge>;
   using Aligned = Aligned_edges<Group, Halfedge>;
   using Cuts = Surface_cuts<Group, Halfedge>;
-  using Change = Corner_change<Halfedge, Uv>;
 
 public:
   Surface_snapper(Surface& surface, const Given& given, const Options& options)
@@ -187,11 +209,10 @@ public:
   // Writes them, once. That is to be the last step: what throws behind it leaves them written.
   std::optional<Refusal> write()
   {
-    const std::vector<Change> changes = std::exchange(m_changes, {});
+    const Surface_changes<Halfedge> changes = std::exchange(m_changes, {});
     return write_all_or_nothing(
-      changes.size(), [&](const std::size_t i) -> const Change& { return changes[i]; },
-      [&](const Halfedge h) { return m_surface.uv(h); },
-      [&](const Change& change, const Uv& to) { m_surface.set_uv(change.corner, to); });
+      changes.corners.size(), changes, [&](const Halfedge h) { return m_surface.uv(h); },
+      [&](const auto& change, const Uv& to) { m_surface.set_uv(change.corner, to); });
   }
 
 protected:
@@ -308,7 +329,7 @@ protected:
   const Options& m_options;
   Snapping_report m_report;
   Step_timer m_timer;
-  std::vector<Change> m_changes; // to be written
+  Surface_changes<Halfedge> m_changes; // to be written
   Flip_repair m_flip_repair;
   std::size_t m_iterations; // that the search for repairs may still take
 
@@ -339,10 +360,10 @@ private:
   }
 
   void collect_changes(const Cuts& cuts, const Mesh_stars<Group, Surface>& stars,
-                       const Snapped_coordinates<Group>& snapped, const double step)
+                       Snapped_coordinates<Group>& snapped, const double step)
   {
     Change_collector<Group, Surface, Mesh_stars<Group, Surface> > collector(
-      cuts, stars, m_surface, snapped.coordinates);
+      cuts, stars, m_surface, std::move(snapped.coordinates));
     m_report.largest_change = collector.changes().largest();
     m_report.mean_change = collector.changes().mean();
     m_report.rms_change = collector.changes().root_mean_square();
