@@ -335,7 +335,7 @@ double largest_distance(const QR::Remeshing_report& report)
 // nearly squares, and the surface is near, because no quad crosses a sharp edge.
 bool may_be_better_without_features(const QR::Remeshing_report& report)
 {
-  constexpr double good_jacobian = 0.98, near = 1. / 3; // of the median edge
+  constexpr double good_jacobian = 0.98, near = 0.25; // of the median edge
   return !report || number_of_bad_quads(report) > 0 ||
          report.mean_scaled_jacobian < good_jacobian ||
          largest_distance(report) > near * report.edge_lengths[1];
