@@ -80,14 +80,20 @@ endwhile()
 if(number_of_programs LESS 2 OR compile_command STREQUAL "" OR commands STREQUAL "")
   message(FATAL_ERROR "README.md lacks programs or commands, or they are not found")
 endif()
-# By the command that README.md tells, which is faster without optimization. The last program is
-# that of the project.
+# By the command that README.md tells, which is faster without optimization, and for all programs at
+# once, as they share most of their headers. The last program is that of the project.
 string(REPLACE "g++" "'${COMPILER}'" compile_command "${compile_command}")
 string(REPLACE "-O2" "-O0" compile_command "${compile_command}")
 math(EXPR last "${number_of_programs} - 1")
+set(programs "")
 foreach(i RANGE 1 ${last})
-  string(REPLACE "app" "app_${i}" command "${compile_command}")
-  run("${CMAKE_COMMAND}" -E env "CPLUS_INCLUDE_PATH=${INCLUDE_PATH}" sh -c "${command}")
+  list(APPEND programs "${WORK_DIR}/app_${i}.cpp")
+endforeach()
+run("${CMAKE_COMMAND}" "-DOUTPUT=${WORK_DIR}/app.cpp" "-DSOURCES=${programs}"
+  -P "${CMAKE_CURRENT_LIST_DIR}/programs_in_one.cmake")
+run("${CMAKE_COMMAND}" -E env "CPLUS_INCLUDE_PATH=${INCLUDE_PATH}" sh -c "${compile_command}")
+foreach(i RANGE 1 ${last})
+  file(CREATE_LINK "${WORK_DIR}/app" "${WORK_DIR}/app_${i}" SYMBOLIC)
   run("${WORK_DIR}/app_${i}")
   if(NOT out STREQUAL expected_${i})
     message(SEND_ERROR "program ${i} prints\n${out}instead of\n${expected_${i}}")
