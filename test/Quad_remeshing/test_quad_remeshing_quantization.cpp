@@ -1653,7 +1653,7 @@ std::vector<Mesh> square_and_peaks(const unsigned seed)
   for(const std::size_t height : {0u, 8u}) {
     const auto point = [&](const std::size_t i, const std::size_t j)
     { return Point_3(double(i), double(j), double(height) * double(random() % 1000) / 1000); };
-    CGAL::make_grid(10, 10, result[height > 0 ? 1 : 0], point, true);
+    CGAL::make_grid(6, 6, result[height > 0 ? 1 : 0], point, true);
   }
   return result;
 }
@@ -1663,7 +1663,7 @@ std::vector<Mesh> square_and_peaks(const unsigned seed)
 void test_spent_work()
 {
   const auto remesh = [](const Mesh& mesh, const double most, double& left) {
-    const auto np = parameters::target_number_of_quads(300);
+    const auto np = parameters::target_number_of_quads(100);
     const auto& plain_np = internal::strip(np);
     internal::Remeshing_options options = internal::remeshing_options(mesh, plain_np, false);
     *options.quantization.work = internal::Work(most);
