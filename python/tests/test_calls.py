@@ -1,5 +1,6 @@
 """Threads, lines of progress, interruption, and calls with random faults."""
 
+import copy
 import os
 import random
 import signal
@@ -89,41 +90,57 @@ def inexact_grid(n):
 
 
 def threads_of_process():
-    return len(os.listdir("/proc/self/task"))
+    return set(os.listdir("/proc/self/task"))
 
 
 def interrupted(call):
-    """Whether a call is interrupted before its work is done; the signal comes when it has begun."""
+    """Whether a signal that comes when a call has begun ends the call before its work is done."""
     main = threading.main_thread().ident
+    is_over = threading.Event()
 
     def interrupt():
-        frame = None
-        while frame is None or frame.f_code.co_name != "call":
+        while not is_over.is_set():
+            if sys._current_frames()[main].f_code.co_name == "call":
+                os.kill(os.getpid(), signal.SIGINT)
+                break
             time.sleep(0.001)
-            frame = sys._current_frames()[main]
-        os.kill(os.getpid(), signal.SIGINT)
 
     before = threads_of_process()
     thread = threading.Thread(target=interrupt)
     thread.start()
-    with pytest.raises(KeyboardInterrupt):
+    before.add(str(thread.native_id))
+    was_interrupted = False
+    try:
         call()
+        is_over.set()
+        thread.join()  # it may interrupt here, too
+    except KeyboardInterrupt:
+        was_interrupted = True
+    is_at_work = was_interrupted and not threads_of_process() <= before
     thread.join()
-    is_at_work = threads_of_process() > before
     seamless._core.wait_for_interrupted_calls()
-    assert threads_of_process() == before
+    while not threads_of_process() <= before:  # the system lists threads a little longer than they run
+        time.sleep(0.001)
     return is_at_work
 
 
-@pytest.mark.skipif(not os.path.exists("/proc/self/task"), reason="counts threads")
+@pytest.mark.skipif(not os.path.exists("/proc/self/task"), reason="lists threads")
 @pytest.mark.parametrize("name", ["quad_remesh", "parametrize", "measure", "layout"])
 def test_interruption(name):
-    """Ctrl-C ends a long call at once, also if the core tells nothing meanwhile."""
-    points, faces = seamless.examples.torus(400, 400)
-    _, uv = inexact_grid(400)
-    arguments = {"quad_remesh": (points, faces, 200000), "parametrize": (points, faces),
-                 "measure": (faces, uv), "layout": (points, faces, np.round(uv))}[name]
-    assert interrupted(lambda: getattr(seamless, name)(*arguments))
+    """Ctrl-C ends a long call at once, also if the core tells nothing meanwhile, and changes no array.
+    What is long depends on the machine: if the work is done first, a larger torus follows."""
+    for n in (400, 800, 1600):
+        points, faces = seamless.examples.torus(n, n)
+        _, uv = inexact_grid(n)
+        arguments = {"quad_remesh": (points, faces, 200000), "parametrize": (points, faces),
+                     "measure": (faces, uv), "layout": (points, faces, np.round(uv))}[name]
+        expected = copy.deepcopy(arguments)
+        is_at_work = interrupted(lambda: getattr(seamless, name)(*arguments))
+        for array, expected_array in zip(arguments, expected):
+            assert np.array_equal(array, expected_array)
+        if is_at_work:
+            break
+    assert is_at_work
     assert len(seamless.sharp_edges(V, F)) == 0  # the interpreter goes on
 
 
@@ -134,8 +151,8 @@ def test_interruption_ends_a_program(number_of_signals):
     code = ("import seamless\n"
             "mesh = seamless.examples.torus(400, 250)\n"
             "print('ready', flush=True)\n"
-            "seamless.parametrize(*mesh)\n"
-            "print('done', flush=True)\n")
+            "while True:\n"
+            "  seamless.parametrize(*mesh)\n")
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           text=True) as process:
         assert process.stdout.readline() == "ready\n"
