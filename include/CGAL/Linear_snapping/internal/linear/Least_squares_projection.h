@@ -179,8 +179,9 @@ public:
   // Whether the basis is nearly dependent, so that most digits are lost.
   bool is_ill_conditioned() const
   {
-    return m_factors.info() != Eigen::Success || !m_basis.allFinite() ||
-           !(m_factors.vectorD().minCoeff() > 1e-7 * m_factors.vectorD().maxCoeff());
+    return m_basis.cols() > 0 &&
+           (m_factors.info() != Eigen::Success || !m_basis.allFinite() ||
+            !(m_factors.vectorD().minCoeff() > 1e-7 * m_factors.vectorD().maxCoeff()));
   }
 
   // The shortest y with M^T y = r, up to rounding.
