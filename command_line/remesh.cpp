@@ -325,9 +325,6 @@ QR::Remeshing_report make_quads(const Remesh_options& options, const Mesh& mesh,
                                  : make_at_most(parameters);
 }
 
-std::size_t number_of_bad_quads(const QR::Remeshing_report& report)
-{ return report.number_of_inverted_quads + report.number_of_folded_quads; }
-
 double largest_distance(const QR::Remeshing_report& report)
 { return (std::max)(report.largest_distance, report.largest_distance_of_input); }
 
@@ -336,7 +333,7 @@ double largest_distance(const QR::Remeshing_report& report)
 bool may_be_better_without_features(const QR::Remeshing_report& report)
 {
   constexpr double good_jacobian = 0.98, near = 0.25; // of the median edge
-  return !report || number_of_bad_quads(report) > 0 ||
+  return !report || report.number_of_bad_quads() > 0 ||
          report.mean_scaled_jacobian < good_jacobian ||
          largest_distance(report) > near * report.edge_lengths[1];
 }
@@ -349,8 +346,8 @@ bool is_better_without_features(const QR::Remeshing_report& without,
   constexpr double about_equal = 1.05; // ratio of distances: samples measure them
   if(!without || !with)
     return bool(without);
-  if(number_of_bad_quads(without) != number_of_bad_quads(with))
-    return number_of_bad_quads(without) < number_of_bad_quads(with);
+  if(without.number_of_bad_quads() != with.number_of_bad_quads())
+    return without.number_of_bad_quads() < with.number_of_bad_quads();
   return without.mean_scaled_jacobian > with.mean_scaled_jacobian &&
          largest_distance(without) <= about_equal * largest_distance(with);
 }
@@ -455,7 +452,7 @@ struct Remesh_outcome
          << " left out, of steps that are smaller than quads; --border-tolerance 0 keeps all\n";
     write_inverted_quads(os, report.number_of_inverted_quads, report.first_inverted_quads, output);
     write_folded_quads(os, report.number_of_folded_quads, report.first_folded_quads, output);
-    if(number_of_bad_quads(report) > 0 &&
+    if(report.number_of_bad_quads() > 0 &&
        report.number_of_quads < 10 * report.number_of_irregular_vertices)
       os << "note: these are few quads for so many irregular vertices; a larger --number leaves more "
             "room for good ones\n";

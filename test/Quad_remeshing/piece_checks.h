@@ -6,8 +6,8 @@
 #include "quad_reference.h"
 #include "test_surfaces.h"
 
+#include <CGAL/Quad_remeshing/internal/has_too_many_quads.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quads_needed.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/has_too_many_quads.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Quad_remeshing/quantize.h>
 

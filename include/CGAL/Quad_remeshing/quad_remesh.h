@@ -137,7 +137,7 @@ auto walls(const Quantization& quantization, const TriangleMesh& tmesh)
   return result;
 }
 
-// Writes the quads that `make_quads(input, quads, is_feature, options)` makes.
+// Writes the quads that `make_quads(input, mirror, options, quads, is_feature)` makes.
 // \param has_wanted_number whether the options tell how many quads are wanted
 template <typename TriangleMesh, typename QuadMesh, typename NamedParameters1,
           typename NamedParameters2, typename MakeQuads>
@@ -159,7 +159,7 @@ Remeshing_report write_quads(const TriangleMesh& tmesh, QuadMesh& quads,
   const double growth = mirror ? growth_by(*mirror, input) : 1;
   if(has_wanted_length<NamedParameters1>)
     options.quantization.number_of_quads *= growth;
-  Remeshing_report report = make_quads(input, result, is_feature, options);
+  Remeshing_report report = make_quads(input, mirror, options, result, is_feature);
   if(!report)
     return report;
   const double number_wanted = has_wanted_number ? options.number_wanted() / growth : 0;
@@ -428,10 +428,7 @@ Remeshing_report quad_remesh(const TriangleMesh& tmesh, QuadMesh& quads,
 {
   using namespace internal;
   const auto& parameters = strip(np1, remeshing_parameters);
-  const auto make_quads = [&](Marked_surface& input, auto& result, const auto& is_feature,
-                              const auto& options)
-  { return remesh(input, mirror_of(parameters), options, result, is_feature); };
-  return write_quads(tmesh, quads, parameters, strip(np2, quad_mesh_parameters), true, make_quads);
+  return write_quads(tmesh, quads, parameters, strip(np2, quad_mesh_parameters), true, remesh);
 }
 
 /*!
@@ -479,8 +476,8 @@ Remeshing_report quad_remesh(const Quantization& quantization, const TriangleMes
     named<CGAL::internal_np::number_of_relaxation_steps, CGAL::internal_np::verbose,
           CGAL::internal_np::vertex_point, CGAL::internal_np::visitor>;
   const auto& parameters = strip(np1, read);
-  const auto make_quads = [&](const Marked_surface&, auto& result, const auto& is_feature,
-                              const auto& options) {
+  const auto make_quads = [&](const Marked_surface&, const auto&, const auto& options, auto& result,
+                              const auto& is_feature) {
     const Extraction_report extracted =
       extract_quad_mesh(quantization, tmesh, result,
                         CGAL::parameters::vertex_point_map(

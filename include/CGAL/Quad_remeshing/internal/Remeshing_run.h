@@ -39,10 +39,6 @@ namespace internal {
 inline double area_in_squares(const Surface_to_remesh& surface)
 { return area_in_squares(surface.mesh(), 1, parameters::vertex_sizing_map(surface.sizes())); }
 
-// The quads that no result is to have.
-inline std::size_t number_of_bad_quads(const Remeshing_report& report)
-{ return report.number_of_inverted_quads + report.number_of_folded_quads; }
-
 // What has come of a surface so far, in one attempt to make quads.
 // Invariant: `report` tells why the last step failed, if it did.
 struct Remeshing_run

@@ -24,6 +24,7 @@
 #include <CGAL/Quad_remeshing/internal/Map_quantizer.h>
 #include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
+#include <CGAL/Quad_remeshing/internal/has_too_many_quads.h>
 #include <CGAL/Quad_remeshing/internal/measure_quads_impl.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Upper_sides.h>
@@ -31,7 +32,6 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/collapse_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/even_out_border.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/has_too_many_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/leave_out_small_parts.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
@@ -86,7 +86,7 @@ public:
   {
     const double radius = edges * std::sqrt(m_run.area() / double(m_run.report.number_of_quads));
     const std::size_t before = m_run.report.number_of_released_edges;
-    const bool has_bad = number_of_bad_quads(m_run.report) > 0;
+    const bool has_bad = m_run.report.number_of_bad_quads() > 0;
     const std::vector<Point>& places = has_bad ? m_bad_places : m_thin_places;
     for(const auto e : m_run.mesh().edges()) {
       const auto h = m_run.mesh().halfedge(e);
@@ -217,9 +217,9 @@ private:
                                   { shape_and_improve(lines, smoother); });
     if(!make_quads_of_choice(0))
       return false;
-    if(const std::size_t bad = number_of_bad_quads(m_run.report);
+    if(const std::size_t bad = m_run.report.number_of_bad_quads();
        bad > 0 && m_choices.size() > 1 && m_run.work.is_left() &&
-       (!make_quads_of_choice(1) || number_of_bad_quads(m_run.report) >= bad))
+       (!make_quads_of_choice(1) || m_run.report.number_of_bad_quads() >= bad))
       make_quads_of_choice(0);
     const std::size_t number = m_run.quantization.number_of_quads;
     if(fewest < number && double(number) > 1.1 * m_run.options.quantization.number_of_quads)
@@ -577,7 +577,7 @@ private:
       m_length_of_features > 0 ? r.length_of_released_edges / m_length_of_features : 0;
     const double deviation = std::clamp(r.median_size_deviation.value_or(0), good_deviation,
                                         forced_deviation);
-    return {!r, number_of_bad_quads(r), (released + deviation) / 2 - r.mean_scaled_jacobian +
+    return {!r, r.number_of_bad_quads(), (released + deviation) / 2 - r.mean_scaled_jacobian +
                                               double(r.number_of_quads) / m_unit};
   }
 
@@ -617,7 +617,7 @@ inline Remeshing_report remesh_surface(Surface_to_remesh& surface,
                               attempts_for_shape == 0;
     const bool has_other_sizes = r.median_size_deviation.value_or(0) > good_deviation &&
                                  attempts_for_shape < 2 && !is_forced;
-    return r && (number_of_bad_quads(r) > 0 || is_distorted || has_other_sizes);
+    return r && (r.number_of_bad_quads() > 0 || is_distorted || has_other_sizes);
   };
   const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept) {
     Quad_remesher remesher(surface, options, mesh, is_kept);
@@ -638,7 +638,7 @@ inline Remeshing_report remesh_surface(Surface_to_remesh& surface,
     is_spent = work.left() < of_attempt / 4;
     if(is_spent)
       break;
-    attempts_for_shape += number_of_bad_quads(best) == 0;
+    attempts_for_shape += best.number_of_bad_quads() == 0;
     make_others(attempt, is_better, quads, is_feature, best);
   }
   best.number_of_corners_left_out = surface.number_of_corners_left_out();
@@ -711,7 +711,7 @@ private:
     constexpr double good_shape = 0.95; // a mean scaled Jacobian
     return work().is_mostly_left() &&
            (!m_best || m_best.number_of_released_edges > 0 ||
-            number_of_bad_quads(m_best) > 0 || m_best.number_of_displaced_vertices > 0 ||
+            m_best.number_of_bad_quads() > 0 || m_best.number_of_displaced_vertices > 0 ||
             m_best.mean_scaled_jacobian < good_shape);
   }
 
@@ -719,7 +719,7 @@ private:
   {
     constexpr double fair_shape = 0.9; // a mean scaled Jacobian
     return work().is_mostly_left() && m_best && m_best.number_of_corners_left_out > 0 &&
-           (number_of_bad_quads(m_best) > 0 || m_best.number_of_displaced_vertices > 0 ||
+           (m_best.number_of_bad_quads() > 0 || m_best.number_of_displaced_vertices > 0 ||
             m_best.mean_scaled_jacobian < fair_shape);
   }
 
@@ -727,7 +727,7 @@ private:
   bool has_few_and_bad() const
   {
     constexpr std::size_t few = 2000; // quads in all
-    return work().is_left() && m_best && number_of_bad_quads(m_best) > 0 &&
+    return work().is_left() && m_best && m_best.number_of_bad_quads() > 0 &&
            m_best.number_of_quads <= few;
   }
 
@@ -743,7 +743,7 @@ private:
   { return double(r.number_of_quads) <= 1.2 * double(m_best.number_of_quads); }
 
   bool has_fewer_bad(const Remeshing_report& r) const
-  { return r && number_of_bad_quads(r) < number_of_bad_quads(m_best); }
+  { return r && r.number_of_bad_quads() < m_best.number_of_bad_quads(); }
 
   // Quads that were made before stay if they are better, or if the new quads are more
   // where there are to be as few as can be.
@@ -776,7 +776,7 @@ private:
     if(is_taken && move.number) {
       m_best.message = m_fewest->message; // which tells why there are so many
       add_note(m_best, std::to_string(m_fewest->number_of_quads) + " quads were found, too, " +
-                       std::to_string(number_of_bad_quads(*m_fewest)) +
+                       std::to_string(m_fewest->number_of_bad_quads()) +
                        " of them inverted or folded");
     }
   }

@@ -86,6 +86,9 @@ struct Remeshing_report
   std::size_t number_of_folded_quads = 0;
   /// the first of these quads, counted like `first_inverted_quads`
   std::vector<std::size_t> first_folded_quads;
+  /// returns the number of quads that are inverted or folded.
+  std::size_t number_of_bad_quads() const
+  { return number_of_inverted_quads + number_of_folded_quads; }
   /// vertices that were moved off the surface, a feature, or the border, because quads would be
   /// inverted or folded otherwise
   std::size_t number_of_displaced_vertices = 0;

@@ -29,14 +29,16 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
+constexpr std::size_t quads_of_handle = 9; // about as many as a torus takes
+
 struct Quads_needed
 {
   std::size_t cones = 0, border_corners = 0; // irregular vertices inside, and on the border
   std::size_t handles = 0;                   // of closed parts
   std::size_t by_cones = 0;                  // quads, exactly
 
-  // About the quads that handles take, too, of a mesh in which no two vertices have two edges.
-  std::size_t by_topology() const { return (std::max)(by_cones, of_handle * handles); }
+  // The quads that handles take, too, in a mesh in which no two vertices have two edges.
+  std::size_t by_topology() const { return (std::max)(by_cones, quads_of_handle * handles); }
 
   Quads_needed& operator+=(const Quads_needed& other)
   {
@@ -64,12 +66,9 @@ struct Quads_needed
                 counted(by_cones, "quad");
     if(handles > 0)
       add(counted(handles, "handle") + (handles == 1 ? " takes" : " take") + " about " +
-          counted(of_handle * handles, "quad"));
+          counted(quads_of_handle * handles, "quad"));
     return result;
   }
-
-private:
-  static constexpr std::size_t of_handle = 9; // quads, as of a torus
 };
 
 // Irregular vertices of the map are vertices of the quads. With I vertices inside, B on the border,

@@ -10,12 +10,14 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_QUAD_REMESHING_INTERNAL_REMESHING_HAS_TOO_MANY_QUADS_H
-#define CGAL_QUAD_REMESHING_INTERNAL_REMESHING_HAS_TOO_MANY_QUADS_H
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_HAS_TOO_MANY_QUADS_H
+#define CGAL_QUAD_REMESHING_INTERNAL_HAS_TOO_MANY_QUADS_H
 
 #include <CGAL/license/Quad_remeshing.h>
 
 // Whether there are many more quads than wanted, and nothing in the input is a reason for them.
+
+#include <CGAL/Quad_remeshing/internal/quantization/quads_needed.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -50,7 +52,7 @@ std::size_t number_of_border_cycles(const Mesh& mesh)
 template <typename Mesh>
 double number_for_topology(const Mesh& mesh)
 {
-  constexpr double of_part = 6, of_handle = 9; // of a closed surface
+  constexpr double of_part = 6; // quads of a closed surface
   std::vector<std::size_t> part(mesh.num_faces());
   const double parts = double(CGAL::Polygon_mesh_processing::connected_components(
     mesh, CGAL::make_property_map(part)));
@@ -59,7 +61,7 @@ double number_for_topology(const Mesh& mesh)
                                       double(mesh.number_of_edges());
   const double loops = double(number_of_border_cycles(mesh));
   const double handles = (2 * parts - loops - euler_characteristic) / 2;
-  return of_part * parts + of_handle * handles;
+  return of_part * parts + double(quads_of_handle) * handles;
 }
 
 template <typename Mesh>
@@ -74,4 +76,4 @@ bool has_too_many_quads(const Mesh& quads, const double wanted, const std::size_
 } // namespace Quad_remeshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_REMESHING_INTERNAL_REMESHING_HAS_TOO_MANY_QUADS_H
+#endif // CGAL_QUAD_REMESHING_INTERNAL_HAS_TOO_MANY_QUADS_H
