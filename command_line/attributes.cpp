@@ -84,13 +84,6 @@ std::string missing_properties(const std::string& filename, const std::string& t
   return result;
 }
 
-// Returns whether it is one that CGAL can read as a mesh.
-bool read_PLY_file(const std::string& filename, Mesh& mesh)
-{
-  return !is_special_file(filename) && suffix_of(filename) == "ply" &&
-         read_PLY_mesh(read_file(filename), mesh);
-}
-
 // The same, where vertices may have been joined with others in the same place: those of the face.
 template <typename Visit>
 void for_each_corner_in_file(const Model& model, const Mesh& file, const Location& location,
@@ -561,7 +554,7 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
   Mesh file;
   const bool has_properties =
     format == "ply" && !is_special_file(input) && suffix_of(input) == "ply";
-  if(has_properties && !read_PLY_file(input, file)) {
+  if(has_properties && !read_PLY_mesh(read_file(input), file)) {
     std::cerr << "note: " << input << " is no mesh before repairs: its attributes are not carried "
               << "over" << std::endl;
   } else if(has_properties) {
@@ -609,7 +602,8 @@ read_sizes(const std::string& property_or_file, const std::string& input, const 
   Mesh file;
   std::vector<double> values;
   const bool is_property =
-    read_PLY_file(input, file) &&
+    !is_special_file(input) && suffix_of(input) == "ply" &&
+    read_PLY_mesh(read_file(input), file) &&
     read_property_of_any<float, double, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
                          std::int32_t, std::uint32_t>(file, property_or_file, values);
   if(!is_property) {

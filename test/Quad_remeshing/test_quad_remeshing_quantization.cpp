@@ -1435,8 +1435,8 @@ void check_remeshing(const Parametrized_model& model, const QR::Remeshing_report
 }
 
 // A closed tube of six sides, which are twisted by some of them. Its walls are one or three lines;
-// their lengths have to be multiples, or all quads are sheared. A side is a small part of a
-// quad wide, so that a shift by one unit is much.
+// their lengths have to be multiples, or all quads are sheared. A side is a small part of a quad
+// wide, so that a shift by one unit is much.
 void test_twisted_tubes()
 {
   constexpr int n = 100, sides = 6;
