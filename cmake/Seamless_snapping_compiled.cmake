@@ -10,7 +10,8 @@ set(Hexahedral_meshing_parts hexahedra)
 set(linear Linear_snapping/internal/linear/Linear_solver
   Linear_snapping/internal/linear/snap_values)
 set(surfaces Seamless_snapping/internal/complex/Free_unknowns
-  Seamless_snapping/internal/snapping/surface_solvers)
+  Seamless_snapping/internal/snapping/snap_flat_surface
+  Seamless_snapping/internal/snapping/solve_complex)
 set(volumes Seamless_snapping/internal/volume/volume_snappers)
 set(layouts Isocurves_and_layouts/internal/layout/make_layout)
 set(quads Quad_remeshing/internal/quantization/quantize_surface

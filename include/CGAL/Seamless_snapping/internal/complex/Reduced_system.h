@@ -21,6 +21,7 @@
 
 #include <CGAL/Linear_snapping/internal/linear/System_builder.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
+#include <CGAL/Seamless_snapping/internal/complex/row_origins.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 
 #include <cstddef>
@@ -30,16 +31,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-// The origin of a row of the system: a branch, chain, path, or equation of the complex. Sums
-// contradict nothing: each defines an unknown.
-struct Row_origin
-{
-  enum Kind { BRANCH, CHAIN, PATH, EQUATION, SUM };
-  Kind kind;
-  std::size_t index;
-  bool is_at_end; // or at the beginning of the branch or chain
-};
 
 // Invariant: the columns are the coordinates of the nodes' sectors, in order; then the translations
 // of branches, and the levels of chains, that have vertices between nodes.

@@ -28,6 +28,7 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/complex/Grid_coordinates.h>
+#include <CGAL/Seamless_snapping/internal/complex/row_origins.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -43,20 +44,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-// An equation of an integer-grid map, what it rounds, and by how much.
-template <typename Group>
-struct Rounding
-{
-  enum Kind { BRANCH, CHAIN, POINT };
-  Kind kind;
-  std::size_t index; // branch, chain, or sector
-  double rounded; // the integer
-  double value;   // in the input
-  typename Cut_complex<Group>::Equation equation;
-
-  double distance() const { return std::abs(rounded - value); }
-};
 
 template <typename Group>
 class Integer_rounding

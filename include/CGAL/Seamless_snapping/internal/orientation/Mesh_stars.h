@@ -19,7 +19,7 @@
 
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
-#include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
+#include <CGAL/Seamless_snapping/internal/orientation/Point_stars.h>
 
 #include <algorithm>
 #include <cstddef>

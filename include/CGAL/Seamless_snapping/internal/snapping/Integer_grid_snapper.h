@@ -69,12 +69,10 @@ corners_at_grid_points(const Flat_surface& surface,
   return result;
 }
 
-// Cones become vertices of quads, so that untangling keeps their angles first.
 template <typename Group, bool may_untangle>
-class Integer_grid_snapper
-  : public Surface_snapper<Group, Flat_surface, may_untangle, Untangling::ANGLES_FIRST>
+class Integer_grid_snapper : public Surface_snapper<Group, Flat_surface, may_untangle>
 {
-  using Base = Surface_snapper<Group, Flat_surface, may_untangle, Untangling::ANGLES_FIRST>;
+  using Base = Surface_snapper<Group, Flat_surface, may_untangle>;
   using typename Base::Aligned;
   using typename Base::Cuts;
   using Base::m_flip_repair;
@@ -96,7 +94,13 @@ class Integer_grid_snapper
 public:
   using Base::Base;
 
-  Snapping_report run();
+  Snapping_report run()
+  {
+    std::optional<Refusal> refusal = m_options.rounds ? snap() : Base::snap();
+    if(!refusal && m_options.rounds && m_flip_repair != Flip_repair::NONE)
+      refusal = round_new_cones();
+    return this->report(refusal);
+  }
 
 private:
   std::optional<Refusal> snap()
@@ -328,16 +332,6 @@ private:
   bool m_has_spread = false; // the last roundings
   std::vector<Corner_index> m_grid_points;
 };
-
-// Outside of the class, so that programs that share a library can share this, too.
-template <typename Group, bool may_untangle>
-Snapping_report Integer_grid_snapper<Group, may_untangle>::run()
-{
-  std::optional<Refusal> refusal = m_options.rounds ? snap() : Base::snap();
-  if(!refusal && m_options.rounds && m_flip_repair != Flip_repair::NONE)
-    refusal = round_new_cones();
-  return this->report(refusal);
-}
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -22,18 +22,16 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Step_timer.h>
 #include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
-#include <CGAL/Seamless_snapping/internal/complex/Complex_solver.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
-#include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
+#include <CGAL/Seamless_snapping/internal/complex/row_origins.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
-#include <CGAL/Seamless_snapping/internal/orientation/Flip_untangler.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Mesh_stars.h>
-#include <CGAL/Seamless_snapping/internal/orientation/Orientation_repair.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 #include <CGAL/Seamless_snapping/internal/snapping/explain_refusal.h>
+#include <CGAL/Seamless_snapping/internal/snapping/solve_complex.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <algorithm>
@@ -182,8 +180,7 @@ struct Snapping_options
   }
 };
 
-template <typename Group, typename Surface, bool may_untangle,
-          Untangling how = Untangling::NEAR_BY_FIRST>
+template <typename Group, typename Surface, bool may_untangle>
 class Surface_snapper
 {
 protected:
@@ -277,34 +274,20 @@ protected:
       return std::nullopt;
     m_timer.finish("verification of the input");
 
-    Complex_solver<Group> solver(cuts.complex, m_surface.format());
-    m_report.linear_solver = solver.linear_solver().figures();
-    m_timer.finish("elimination");
-    Snapped_coordinates<Group> snapped{cuts.complex.coordinates, {}, -1};
-    if(!was_exact)
-      if(const auto refusal = solver.solve(snapped))
-        return explained(*refusal, m_surface, cuts, m_options.constraints, roundings,
-                         solver.system());
-    m_timer.finish("solution");
-
     Mesh_stars<Group, Surface> stars(m_surface, cuts);
-    typename Orientation_repair<Group>::Untangle untangle = nullptr;
-    if constexpr(may_untangle)
-      if(m_flip_repair == Flip_repair::UNTANGLE && !is_inside_out)
-        untangle = &untangle_flips<Group, how>;
-    Orientation_repair<Group>(cuts.complex, solver, stars, m_flip_repair != Flip_repair::NONE,
-                              m_iterations, untangle)
-      .run(snapped.coordinates, m_report);
-    m_timer.finish("orientation");
-    if(was_exact && m_report.run.number_of_repaired_flips == 0)
-      return std::nullopt; // nothing moves
-
-    if(!is_exact(cuts.complex, snapped.coordinates))
-      return Refusal(Outcome::INTERNAL_ERROR,
-                     "the result failed its exact verification and "
-                     "was discarded; please report this");
-    m_timer.finish("verification");
-    collect_changes(cuts, stars, snapped, solver.coarsest_step());
+    Complex_solution solution;
+    const Flip_repair repair =
+      is_inside_out ? (std::min)(m_flip_repair, Flip_repair::NEAR_BY) : m_flip_repair;
+    const Solution_repairs repairs{repair, m_options.rounds, m_iterations};
+    if(const auto refusal =
+         solve_complex<Group, may_untangle>(cuts.complex, was_exact, m_surface.format(), stars,
+                                            repairs, m_report, m_timer, solution))
+      return refusal->status == Outcome::INTERNAL_ERROR
+               ? refusal
+               : explained(*refusal, m_surface, cuts, m_options.constraints, roundings,
+                           solution.contradiction);
+    if(!solution.coordinates.empty())
+      collect_changes(cuts, stars, solution);
     return std::nullopt;
   }
 
@@ -360,17 +343,16 @@ private:
   }
 
   void collect_changes(const Cuts& cuts, const Mesh_stars<Group, Surface>& stars,
-                       Snapped_coordinates<Group>& snapped, const double step)
+                       Complex_solution& solution)
   {
     Change_collector<Group, Surface, Mesh_stars<Group, Surface> > collector(
-      cuts, stars, m_surface, std::move(snapped.coordinates));
+      cuts, stars, m_surface, std::move(solution.coordinates));
     m_report.largest_change = collector.changes().largest();
     m_report.mean_change = collector.changes().mean();
     m_report.rms_change = collector.changes().root_mean_square();
     // no exact solution can undercut that sum of squares
     m_report.optimal_rms_change =
-      snapped.optimal_changes.root(collector.changes().sum_of_weights());
-    m_report.grid_step = m_report.linear_solver.number_of_constraints > 0 ? step : 0;
+      solution.optimal_changes.root(collector.changes().sum_of_weights());
     m_report.status = Outcome::SNAPPED;
     m_changes = collector.take();
     m_timer.finish("changes");
@@ -378,8 +360,8 @@ private:
 };
 
 // Outside of the class, so that programs that share a library can share this, too.
-template <typename Group, typename Surface, bool may_untangle, Untangling how>
-Snapping_report Surface_snapper<Group, Surface, may_untangle, how>::run()
+template <typename Group, typename Surface, bool may_untangle>
+Snapping_report Surface_snapper<Group, Surface, may_untangle>::run()
 {
   return report(snap());
 }

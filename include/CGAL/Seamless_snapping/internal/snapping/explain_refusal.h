@@ -21,9 +21,8 @@
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
-#include <CGAL/Seamless_snapping/internal/complex/Reduced_system.h>
-#include <CGAL/Seamless_snapping/internal/complex/integer_rounding.h>
 #include <CGAL/Seamless_snapping/internal/complex/is_exact.h>
+#include <CGAL/Seamless_snapping/internal/complex/row_origins.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
@@ -87,7 +86,7 @@ Refusal explained(Refusal refusal, const Surface& surface,
                   const Surface_cuts<Group, typename Surface::Halfedge>& cuts,
                   const Constraint_list<typename Surface::Halfedge>& constraints,
                   const std::vector<Rounding<Group> >& roundings, // equations after the caller's
-                  const Reduced_system<Group>& system)
+                  const std::vector<Row_origin>& contradiction)
 {
   if(refusal.status == Outcome::NOT_REPRESENTABLE) {
     refusal.message =
@@ -101,9 +100,8 @@ Refusal explained(Refusal refusal, const Surface& surface,
   }
   constexpr std::size_t at_most = 8;
   std::map<std::string, Message> names;
-  for(const auto& multiple : refusal.certificate) {
-    const Message name = name_of_row(system.origin(multiple.first), surface, cuts, constraints,
-                                     roundings);
+  for(const Row_origin& origin : contradiction) {
+    const Message name = name_of_row(origin, surface, cuts, constraints, roundings);
     names.emplace(name.str(), name);
   }
   refusal.message = "constraints contradict each other:";

@@ -18,15 +18,14 @@
 // From the arguments of `snap_to_seamless()` to a run, on the mesh itself or on a copy, and its
 // report.
 
-#include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/write_all_or_nothing.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Segments_in_space.h>
 #include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
-#include <CGAL/Seamless_snapping/internal/snapping/Integer_grid_snapper.h>
 #include <CGAL/Seamless_snapping/internal/snapping/Surface_snapper.h>
+#include <CGAL/Seamless_snapping/internal/snapping/snap_flat_surface.h>
 #include <CGAL/Seamless_snapping/types/File_status.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
@@ -39,51 +38,15 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
-#include <CGAL/Seamless_snapping/internal/snapping/surface_solvers.h>
-#endif
-
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-// Changes and orientations against the input times a number, where there were steps between.
-// Returns the area of the result in the domain.
-template <typename Group>
-double compare_with_input(const std::vector<Uv>& input, const double scale,
-                          const Flat_surface& result, Snapping_report& report)
-{
-  Magnitudes changes;
-  report.lost_faces.clear();
-  report.remaining_flips.clear();
-  double area = 0;
-  for(std::size_t first = 0; first < input.size(); first += 3) {
-    Uv_triangle before, after;
-    for(std::size_t k = 0; k < 3; ++k) {
-      const Uv& u = before[k] = input[first + k];
-      const Uv& v = after[k] = result.uv(Corner_index(first + k));
-      for(const double change : Group::to_cartesian({v[0] - scale * u[0], v[1] - scale * u[1]}))
-        changes.add(change);
-    }
-    area += ((after[1][0] - after[0][0]) * (after[2][1] - after[0][1]) -
-             (after[1][1] - after[0][1]) * (after[2][0] - after[0][0])) / 2;
-    if(orientation(after) != CGAL::POSITIVE)
-      (orientation(before) == CGAL::POSITIVE ? report.lost_faces : report.remaining_flips)
-        .push_back(first / 3);
-  }
-  report.largest_change = changes.largest();
-  report.mean_change = changes.mean();
-  report.rms_change = changes.root_mean_square();
-  report.optimal_rms_change = 0; // known for one step only
-  return area;
-}
 
 inline Message number_of_faces_in_words(const std::vector<std::size_t>& faces,
                                         const std::string& one, const std::string& many)
@@ -189,43 +152,27 @@ constexpr bool may_untangle() // others have no free coordinates
   return Group::is_signed_permutation && std::is_same<Flip_parameter, Flip_repair>::value;
 }
 
-// Snaps the map times a number, in a copy, which is written back if all succeeds.
+// Snaps a copy of the map, which is written back if all succeeds.
 // \param index is to take the index of each halfedge
 // \param add_notes to a report, before
-template <typename Snapper, typename Group, typename Surface, typename IndexMap, typename Add_notes>
+template <bool may_untangle, typename Group, typename Surface, typename IndexMap,
+          typename Add_notes>
 Snapping_report snap_copy(Surface& input, const double scale, const IndexMap& index,
                           const Given_transitions<Group, typename Surface::Halfedge>& given,
                           const Snapping_options<typename Surface::Halfedge>& options,
                           const Add_notes& add_notes)
 {
-  if(!(scale > 0 && std::isfinite(scale)))
-    return refused<Snapping_report>(
-      Report(Outcome::INVALID_ARGUMENT, term("grid_scale") + " must be positive and finite"));
   for(const auto& refusal : {check_indices(input), find_bad_face(input)})
     if(refusal)
       return refused<Snapping_report>(*refusal);
   std::vector<typename Surface::Halfedge> originals;
   Flat_surface surface(input, index, originals);
   const std::vector<Uv> before = surface.all_uv();
-  for(Corner_index h = 0; h < surface.number_of_corners(); ++h)
-    surface.set_uv(h, {scale * surface.uv(h)[0], scale * surface.uv(h)[1]});
-  const auto given_here = given.template renumbered<Corner_index>(originals);
-  const auto options_here = options.renumbered([&](const auto h) { return get(index, h); });
-  Snapper snapper(surface, given_here, options_here);
-  Snapping_report report = snapper.run();
-  if(const auto refusal = snapper.write())
-    refuse(report, *refusal);
+  Snapping_report report = snap_flat_surface<Group, may_untangle>(
+    surface, scale, given.template renumbered<Corner_index>(originals),
+    options.renumbered([&](const auto h) { return get(index, h); }));
   if(!report)
     return report;
-  const double area = compare_with_input<Group>(before, scale, surface, report);
-  // nothing but flips makes it less than half a cell, and faces between no integers
-  if(area < 0.25 && !report.lost_faces.empty()) {
-    refuse(report, Outcome::NOT_INTEGER,
-           "at the nearest integers, the map covers no cell" +
-             remedy(scale_up));
-    return report;
-  }
-  report.status = Outcome::SNAPPED;
   add_notes(report);
   using Change = Corner_change<typename Surface::Halfedge, Uv>;
   if(const auto refusal = write_all_or_nothing(
@@ -243,7 +190,6 @@ Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_
                              const NamedParameters& np)
 {
   constexpr bool untangles = may_untangle<Group, NamedParameters>();
-  constexpr bool rounds = is_given<NamedParameters, CGAL::internal_np::integer_grid_t>;
   auto surface = uv_surface(tmesh, uv_map, np);
   const auto given = given_transitions<Group>(tmesh, np);
   const auto options = snapping_options<Group>(tmesh, np);
@@ -251,12 +197,11 @@ Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_
     note_coinciding_border_edges(tmesh, np, report);
     tell_of_faces(np, report);
   };
-  if constexpr(rounds || is_given<NamedParameters, CGAL::internal_np::grid_scale_t>) {
-    using Snapper = std::conditional_t<rounds, Integer_grid_snapper<Group, untangles>,
-                                       Surface_snapper<Group, Flat_surface, untangles> >;
-    return snap_copy<Snapper>(surface, chosen(np, CGAL::internal_np::grid_scale, 1.),
-                              get(CGAL::dynamic_halfedge_property_t<Corner_index>(), tmesh), given,
-                              options, add_notes);
+  if constexpr(is_given<NamedParameters, CGAL::internal_np::integer_grid_t> ||
+               is_given<NamedParameters, CGAL::internal_np::grid_scale_t>) {
+    return snap_copy<untangles>(surface, chosen(np, CGAL::internal_np::grid_scale, 1.),
+                                get(CGAL::dynamic_halfedge_property_t<Corner_index>(), tmesh),
+                                given, options, add_notes);
   } else {
     Surface_snapper<Group, decltype(surface), untangles> snapper(surface, given, options);
     Snapping_report report = snapper.run();
