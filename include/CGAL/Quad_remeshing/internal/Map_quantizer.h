@@ -46,14 +46,12 @@ public:
   { }
 
   // Quantizes the map for the wanted number. If the result has more quads, and features neither
-  // force them nor are released, other maps, too: four maps for fewer quads, and maps for more
-  // quads that may have fewer than the best result. If quads are few, maps with up to a quarter
-  // more quads than the fewest, or than the wanted number, stay to choose from. Given sizes need
-  // all cones. Half of the work is left for the shape of quads. Returns whether there is a
-  // quantization.
+  // force them nor are released, also maps for more quads that may have fewer than the best result.
+  // If quads are few, maps with up to a quarter more quads than the fewest, or than the wanted
+  // number, stay to choose from. Given sizes need all cones. Half of the work is left for the shape
+  // of quads. Returns whether there is a quantization.
   bool run()
   {
-    constexpr int most_lower = 4; // rungs below the wanted number
     const double number =
       m_run.options.quantization.is_coarsest ? 1 : m_run.options.quantization.number_of_quads;
     if(m_run.surface.has_sizes_that_vary() || !(number >= 1))
@@ -71,9 +69,8 @@ public:
     const auto least = [&] { return double(best.quantization.number_of_quads); };
     const auto may_try = [&](const int rung) {
       return least() > 1.1 * number && best.quantization.number_of_forced_quads == 0 &&
-             best.report.number_of_released_edges == 0 && rung >= lowest_rung &&
-             rung >= wanted - most_lower &&
-             (rung <= wanted || 0.67 * number_on_ladder(rung) < least()) && // 0.95 / sqrt(2)
+             best.report.number_of_released_edges == 0 &&
+             0.67 * number_on_ladder(rung) < least() && // 0.95 / sqrt(2)
              m_run.work.is_half_left();
     };
     const auto try_map = [&](const double least_cone_distance) {
@@ -87,10 +84,8 @@ public:
       if(double(m_run.quantization.number_of_quads) < least())
         best = tried;
     };
-    for(int i = 1; may_try(wanted + i) || may_try(wanted - i); ++i)
-      for(const int rung : {wanted + i, wanted - i})
-        if(may_try(rung))
-          try_map(least_cone_distance(rung));
+    for(int rung = wanted + 1; may_try(rung); ++rung)
+      try_map(least_cone_distance(rung));
     if(m_run.options.quantization.is_coarsest && best.report.number_of_released_edges == 0 &&
        m_run.work.is_half_left())
       try_map(0);
