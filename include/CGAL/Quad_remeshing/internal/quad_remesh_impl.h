@@ -202,7 +202,7 @@ private:
   }
 
   // Takes the quantization whose quads are best before they are mended: all are shaped roughly, and
-  // the best two as usual. The second one is taken if the first has more bad quads in the end.
+  // the best two as usual.
   bool make_best_quads()
   {
     add_larger_numbers();
@@ -213,14 +213,12 @@ private:
     const Surface_samples samples(m_run.mesh(), number_of_samples);
     keep_best_choices(samples, 2, [&](const Feature_lines& lines, Quad_smoother& smoother)
                                   { shape(lines, smoother, rounds_to_choose); });
-    keep_best_choices(samples, 2, [&](const Feature_lines& lines, Quad_smoother& smoother)
+    keep_best_choices(samples, 1, [&](const Feature_lines& lines, Quad_smoother& smoother)
                                   { shape_and_improve(lines, smoother); });
-    if(!make_quads_of_choice(0))
+    m_run.set_state(m_choices.front());
+    m_quads.clear_without_removing_property_maps();
+    if(!make_quads())
       return false;
-    if(const std::size_t bad = m_run.report.number_of_bad_quads();
-       bad > 0 && m_choices.size() > 1 && m_run.work.is_left() &&
-       (!make_quads_of_choice(1) || m_run.report.number_of_bad_quads() >= bad))
-      make_quads_of_choice(0);
     const std::size_t number = m_run.quantization.number_of_quads;
     if(fewest < number && double(number) > 1.1 * m_run.options.quantization.number_of_quads)
       m_run.report.message =
@@ -231,15 +229,6 @@ private:
            : "farther from the surface, or with inverted quads") +
         remedy("minimize_number_of_quads(true) makes as few as are found");
     return true;
-  }
-
-  bool make_quads_of_choice(const std::size_t i)
-  {
-    m_run.set_state(m_choices[i]);
-    m_quads.clear_without_removing_property_maps();
-    m_bad_places.clear();
-    m_thin_places.clear();
-    return make_quads();
   }
 
   // So many, by the quads that `move(lines, smoother)` gives their shape.
