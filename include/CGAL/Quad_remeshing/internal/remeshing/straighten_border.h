@@ -51,8 +51,8 @@ public:
     : m_surface(surface), m_mesh(surface.mesh), m_tolerance(tolerance), m_points(points)
   { }
 
-  // Only loops that lose a quarter of their corners are straightened, where they have corners,
-  // lines don't meet in acute angles, and no face turns over. Returns how many are left out.
+  // Loops are straightened where they have corners and no face turns over. Returns how many corners
+  // are left out.
   template <typename Predicate>
   std::size_t run(const Predicate& is_fixed)
   {
@@ -83,9 +83,6 @@ private:
     bool is_dropped;
   };
 
-  // Degrees, as of what is narrow but deep, such as a slot, of which lines make a wedge.
-  static constexpr double acute = 45; // degrees
-
   template <typename Predicate>
   void find_lines(const Predicate& is_fixed)
   {
@@ -101,19 +98,9 @@ private:
       const std::vector<std::size_t> ends = simplify(is_fixed);
       if(ends.size() < 3)
         continue;
-      std::vector<double> angles; // of lines
-      for(std::size_t i = 0; i < ends.size(); ++i)
-        angles.push_back(CGAL::approximate_angle(
-          point(ends[(i + ends.size() - 1) % ends.size()]), point(ends[i]),
-          point(ends[(i + 1) % ends.size()])));
-      const auto number_of_corners_of_lines =
-        std::count_if(angles.begin(), angles.end(), [](const double a) { return a < flat_corner; });
-      if(4 * std::size_t(number_of_corners_of_lines) > 3 * number_of_corners(0, m_loop.size()))
-        continue;
       const std::size_t lines_before = m_lines.size();
       for(std::size_t i = 0; i < ends.size(); ++i)
-        if(angles[i] > acute && angles[(i + 1) % ends.size()] > acute)
-          add_line(ends[i], i + 1 < ends.size() ? ends[i + 1] : ends[0] + m_loop.size());
+        add_line(ends[i], i + 1 < ends.size() ? ends[i + 1] : ends[0] + m_loop.size());
       if(m_lines.size() > lines_before)
         find_isocurves();
     }
