@@ -3184,7 +3184,8 @@ void test_quad_across_fin()
   }
 }
 
-// Quads turn back at a crest: they are folded over a plane, but not over a fin, however thin.
+// Quads turn back at a crest: they are folded over a plane, but not over a fin, however thin. A low
+// crest over a plane is mended.
 void test_quads_that_turn_back()
 {
   constexpr std::size_t rows = 2;
@@ -3222,15 +3223,24 @@ void test_quads_that_turn_back()
       scale(quads, 1 / surface.unscaled(1));
       QR::internal::Quad_smoother smoother(quads, surface.mesh());
       QR::internal::Upper_sides upper_sides(quads, is_line, surface, smoother);
-      for(std::size_t j = 0; j <= rows; ++j) { // after the places on the surface are known
-        const Point_3 p = quads.point(vertex(2, j));
-        quads.point(vertex(2, j)) = Point_3(p.x(), p.y(), surface.scaled(3));
-      }
+      const auto raise_crest = [&](const double height) {
+        for(std::size_t j = 0; j <= rows; ++j) {
+          const Point_3 p = quads.point(vertex(2, j));
+          quads.point(vertex(2, j)) = Point_3(p.x(), p.y(), surface.scaled(height));
+        }
+      };
+      raise_crest(3); // after the places on the surface are known
       for(const auto f : quads.faces()) {
         const std::size_t column = std::size_t(f) / rows;
         CHECK(!QR::internal::is_inverted(smoother.quad(f)));
         CHECK_EQUAL(upper_sides.is_folded(f), is_plane && column == 2);
       }
+      if(!is_plane)
+        continue;
+      raise_crest(0.45);
+      CHECK_EQUAL(upper_sides.update(), rows);
+      QR::internal::Quad_mender(quads, is_line, smoother, false).run(true);
+      CHECK_EQUAL(upper_sides.update(), 0u);
     }
 }
 

@@ -50,20 +50,20 @@ public:
       m_starts[v] = nearest_face(v);
   }
 
-  bool is_folded(const Face f) const { return is_upside_down(f) || turns_back(f); }
+  bool is_folded(const Face f) const
+  { return is_upside_down(f) || side_that_it_turns_from(f) != Space_vector{}; }
 
-  // Tells the smoother where the quads are to face that are inverted or upside down: as the surface
-  // does on the average. Returns their number.
+  // Tells the smoother where the quads are to face that are inverted or folded: as the surface does
+  // on the average, or as the quad does on which they turn back. Returns their number.
   std::size_t update()
   {
     std::size_t number = 0;
     for(const Face f : faces(m_quads)) {
       const Quad q = m_smoother.quad(f);
-      m_smoother.upper_sides()[f] = Space_vector{};
-      if(is_upside_down(f) || is_inverted(q)) {
-        m_smoother.upper_sides()[f] = upper_side(f, q);
-        ++number;
-      }
+      const bool is_bad = is_upside_down(f) || is_inverted(q);
+      const Space_vector side = is_bad ? upper_side(f, q) : side_that_it_turns_from(f);
+      m_smoother.upper_sides()[f] = side;
+      number += is_bad || side != Space_vector{};
     }
     return number;
   }
@@ -82,10 +82,11 @@ private:
            inner_product(scaled_to_one(quad_normal(q)), upper_side(f, q)) < clearly;
   }
 
-  // Whether a quad and one beside it turn back on each other, and this one faces at least as far
-  // from the surface. Quads that follow the surface turn about as far as it does, so nowhere are
-  // their normals much farther apart than the two of the surface that are farthest apart.
-  bool turns_back(const Face f) const
+  // If a quad and one beside it turn back on each other, and this one faces at least as far from
+  // the surface: the normal of the other one; else 0. Quads that follow the surface turn about as
+  // far as it does, so nowhere are their normals much farther apart than the two normals of the
+  // surface that are farthest apart.
+  Space_vector side_that_it_turns_from(const Face f) const
   {
     constexpr double farther = 1.25; // a difference of cosines: 105 degrees on a flat surface
     const Quad q = m_smoother.quad(f);
@@ -104,9 +105,9 @@ private:
       add_normals_below(g, other, below);
       const Space_vector mean = mean_of(below);
       if(inner_product(own, mean) <= inner_product(normal, mean) && least < least_cosine(below))
-        return true;
+        return normal;
     }
-    return false;
+    return {};
   }
 
   // Whether it faces against what is nearest, or against most of the quads beside it. Walks alone
