@@ -3451,6 +3451,19 @@ void check_refusal(const Grid_map& map, const Status status, const std::string& 
   CHECK(quads.is_empty());
 }
 
+void check_quads_near_origin(const Mesh& mesh, const UV_map& uv)
+{
+  const auto quantization =
+    QR::quantize(mesh, uv, parameters::target_number_of_quads(77).needs_face_graph(true));
+  CHECK_IN(quantization.message, bool(quantization));
+  Mesh quads;
+  const auto report = QR::extract_quad_mesh(quantization, mesh, quads);
+  CHECK_IN(report.message, bool(report));
+  CHECK(!quads.is_empty() && CGAL::is_closed(quads) == CGAL::is_closed(mesh));
+  for(const auto v : quads.vertices())
+    CHECK(quads.is_border(v) || quads.degree(v) == 4);
+}
+
 // A torus whose translations along v have finer bits than integers of 64 bits hold beside those
 // along u; with faces so thin that moving the map degenerates them, it is refused.
 void test_map_near_origin()
@@ -3463,16 +3476,35 @@ void test_map_near_origin()
   Grid_map map(surfaces::torus(4, 4), 1, 1);
   stretch(map, 0.00001);
   const std::vector<Point_2> before(map.uv.begin(), map.uv.end());
-  const auto quantization =
-    QR::quantize(map.mesh, map.uv, parameters::target_number_of_quads(77).needs_face_graph(true));
-  CHECK_IN(quantization.message, bool(quantization));
+  check_quads_near_origin(map.mesh, map.uv);
   CHECK(std::equal(before.begin(), before.end(), map.uv.begin()));
-  Mesh quads;
-  const auto report = QR::extract_quad_mesh(quantization, map.mesh, quads);
-  CHECK_IN(report.message, bool(report));
-  CHECK(!quads.is_empty() && CGAL::is_closed(quads));
-  for(const auto v : quads.vertices())
-    CHECK_EQUAL(quads.degree(v), 4u);
+
+  Grid_map tube(surfaces::cylinder(4, 4), 1, 1);
+  for(const auto h : tube.mesh.halfedges())
+    tube.uv[h] = Point_2(0.00001 * tube.uv[h].x(), 2.00001 * tube.uv[h].y());
+  check_quads_near_origin(tube.mesh, tube.uv);
+
+  Mesh tubes; // that meet at a vertex of their borders
+  const auto uv = tubes.add_property_map<Halfedge, Point_2>("h:uv").first;
+  Mesh::Vertex_index meeting;
+  for(int i = 0; i < 2; ++i) {
+    std::map<Mesh::Vertex_index, Mesh::Vertex_index> copy;
+    for(const auto v : tube.mesh.vertices())
+      copy[v] = i == 1 && copy.empty() ? meeting : tubes.add_vertex(tube.mesh.point(v));
+    meeting = copy.begin()->second;
+    CHECK(tube.mesh.is_border(copy.begin()->first));
+    for(const auto f : tube.mesh.faces()) {
+      std::vector<Mesh::Vertex_index> corners;
+      for(const auto v : tube.mesh.vertices_around_face(tube.mesh.halfedge(f)))
+        corners.push_back(copy[v]);
+      const auto g = tubes.add_face(corners);
+      for(const auto h : tube.mesh.halfedges_around_face(tube.mesh.halfedge(f)))
+        for(const auto k : tubes.halfedges_around_face(tubes.halfedge(g)))
+          if(tubes.target(k) == copy[tube.mesh.target(h)])
+            uv[k] = tube.uv[h];
+    }
+  }
+  check_quads_near_origin(tubes, uv);
 
   Grid_map thin(surfaces::torus(4, 4), 1, 1);
   stretch(thin, 1e-40);

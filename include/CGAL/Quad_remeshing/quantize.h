@@ -24,7 +24,6 @@
 #include <CGAL/Linear_snapping/types/parameters.h>
 #include <CGAL/Quad_remeshing/extract_grid_mesh.h>
 #include <CGAL/Quad_remeshing/internal/cells/extract_cells.h>
-#include <CGAL/Quad_remeshing/internal/move_from_origin.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Straight_walk.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
@@ -32,8 +31,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_flat_mesh.h>
 
-#include <CGAL/Dynamic_property_map.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -124,8 +121,6 @@ Quantization_options quantization_options(const TriangleMesh& tmesh, const Named
   return options;
 }
 
-// Reads the map, and quantizes it; and once more, away from the origin, where only its bits are in
-// the way. With a coarse triangulation, the number of quads is too large, and no coordinate.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename NamedParameters>
 Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                           const NamedParameters& np, const Quantization_options& options)
@@ -136,25 +131,10 @@ Quantization quantize_map(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map
   const auto vertex_indices = CGAL::get_initialized_vertex_index_map(tmesh, np);
   const auto vertex_name = [&](const std::size_t v)
     { return name_of_vertex(std::size_t(get(vertex_indices, numbering.vertices_in_order()[v]))); };
-  const auto quantize = [&](const auto& coordinates, Chart_mesh& mesh) {
-    if(const auto refusal = read_exact_map(tmesh, numbering, coordinates, np, mesh))
-      return refused<Quantization>(*refusal);
-    return quantize_surface(mesh, is_feature, options, vertex_name);
-  };
   Chart_mesh mesh;
-  Quantization result = quantize(uv_map, mesh);
-  if(result.status != Outcome::TOO_LARGE || result.number_of_coarse_faces > 0)
-    return result;
-  using Point = CGAL::Simple_cartesian<double>::Point_2;
-  const auto moved = get(CGAL::dynamic_halfedge_property_t<Point>(), tmesh);
-  if(!snap_far_from_origin(tmesh, numbering, mesh, is_feature, moved))
-    return result;
-  Chart_mesh moved_mesh;
-  Quantization again = quantize(moved, moved_mesh);
-  if(again.status != Outcome::NOT_POSITIVE)
-    return again;
-  result.message += ", which was tried: " + again.message;
-  return result;
+  if(const auto refusal = read_exact_map(tmesh, numbering, uv_map, np, mesh))
+    return refused<Quantization>(*refusal);
+  return quantize_surface(mesh, is_feature, options, vertex_name);
 }
 
 template <typename Report>

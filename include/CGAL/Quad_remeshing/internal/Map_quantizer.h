@@ -20,7 +20,7 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
-#include <CGAL/Quad_remeshing/internal/move_from_origin.h>
+#include <CGAL/Quad_remeshing/internal/quantization/move_from_origin.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
 #include <algorithm>

@@ -25,6 +25,7 @@
 #include <CGAL/Quad_remeshing/internal/quantization/Part_quantizer.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Wall_slider.h>
 #include <CGAL/Quad_remeshing/internal/quantization/coarsen.h>
+#include <CGAL/Quad_remeshing/internal/quantization/move_from_origin.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quads_needed.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_surface.h>
@@ -37,6 +38,7 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -421,10 +423,9 @@ void refuse_overflow(const Run& run, Quantization& result)
   }
 }
 
-CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
-Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& is_feature,
-                              const Quantization_options& options,
-                              const std::function<Message(std::size_t)>& vertex_name)
+inline Quantization quantize_in_place(const Chart_mesh& mesh, const std::vector<char>& is_feature,
+                                      const Quantization_options& options,
+                                      const std::function<Message(std::size_t)>& vertex_name)
 {
   Quantization result;
   const auto run = [&] {
@@ -434,6 +435,26 @@ Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& i
       Unit_finder(Feature_releaser(options, result).run(coarse), options, result).run();
   };
   refuse_overflow(run, result);
+  return result;
+}
+
+// Once more, away from the origin, where only its bits are in the way. With a coarse triangulation,
+// the number of quads is too large, and no coordinate.
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+Quantization quantize_surface(const Chart_mesh& mesh, const std::vector<char>& is_feature,
+                              const Quantization_options& options,
+                              const std::function<Message(std::size_t)>& vertex_name)
+{
+  Quantization result = quantize_in_place(mesh, is_feature, options, vertex_name);
+  if(result.status != Outcome::TOO_LARGE || result.number_of_coarse_faces > 0)
+    return result;
+  const std::optional<Chart_mesh> moved = moved_from_origin(mesh, is_feature);
+  if(!moved)
+    return result;
+  const Quantization again = quantize_in_place(*moved, is_feature, options, vertex_name);
+  if(again.status != Outcome::NOT_POSITIVE)
+    return again;
+  result.message += ", which was tried: " + again.message;
   return result;
 }
 

@@ -23,7 +23,9 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_mesh.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
 
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -78,6 +80,53 @@ public:
       m_vertices.push_back(h == input.null_halfedge() ? no_index : get(index, h));
     for(Halfedge h = 0; h < number_of_corners(); h += 3)
       m_faces.push_back(h);
+  }
+
+  // Copies a mesh in arrays. A border that comes to a vertex leads to another fan of its faces, if
+  // there are several, so that a walk around the vertex passes all.
+  // \param uv of each corner
+  template <typename Corner, typename Uv_of>
+  Flat_surface(const Flat_mesh<Corner>& mesh, const Uv_of& uv)
+    : m_number_of_vertices(mesh.number_of_vertices()), m_format(Number_format::of<double>()),
+      m_epsilon(std::numeric_limits<double>::epsilon()), m_names(nullptr),
+      m_vertices(mesh.corner_at_vertex)
+  {
+    std::vector<Halfedge> border; // the corners on the other sides
+    for(Halfedge h = 0; h < mesh.number_of_halfedges(); ++h) {
+      const bool is_border = mesh.is_border_edge(h);
+      m_uv.push_back(uv(h));
+      m_vertex.push_back(mesh.vertex(h));
+      m_opposite.push_back(is_border ? mesh.number_of_halfedges() + Halfedge(border.size())
+                                     : mesh.opposite(h));
+      if(is_border)
+        border.push_back(h);
+      if(mesh.represents_edge(h))
+        m_edges.push_back(h);
+      if(h % 3 == 0)
+        m_faces.push_back(h);
+    }
+    // per vertex: where its first fan begins, and its last one ends
+    std::vector<std::array<Halfedge, 2> > ends(m_number_of_vertices, {no_index, no_index});
+    m_next_of_border.resize(border.size());
+    m_prev_of_border.resize(border.size());
+    const auto set_next = [&](const Halfedge h, const Halfedge next) {
+      m_next_of_border[std::size_t(h) - m_uv.size()] = next;
+      m_prev_of_border[std::size_t(next) - m_uv.size()] = h;
+    };
+    for(const Halfedge h : border) {
+      m_vertex.push_back(mesh.source(h));
+      m_opposite.push_back(h);
+      Halfedge first = mesh.prev(h);
+      while(!mesh.is_border_edge(first))
+        first = mesh.prev(mesh.opposite(first));
+      auto& [begin, end] = ends[mesh.source(h)];
+      if(begin == no_index)
+        begin = opposite(first);
+      else
+        set_next(end, opposite(first));
+      end = opposite(h);
+      set_next(end, begin);
+    }
   }
 
   std::size_t number_of_vertices() const { return m_number_of_vertices; }
