@@ -10,6 +10,8 @@ set(Hexahedral_meshing_parts hexahedra)
 set(linear Linear_snapping/internal/linear/Linear_solver
   Linear_snapping/internal/linear/snap_values)
 set(surfaces Seamless_snapping/internal/complex/Free_unknowns
+  Seamless_snapping/internal/mesh/estimate_seams
+  Seamless_snapping/internal/mesh/hint_on_symmetry
   Seamless_snapping/internal/snapping/snap_flat_surface
   Seamless_snapping/internal/snapping/solve_complex)
 set(volumes Seamless_snapping/internal/volume/volume_snappers)

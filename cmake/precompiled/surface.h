@@ -39,9 +39,6 @@ using Surface_without_indices = SS::internal::Uv_surface<Mesh, Uv_map, SS::inter
 #define SEAMLESS_SNAPPING_INSTANTIATE_READERS(PREFIX)                                              \
   PREFIX template class internal::Constraint_reader<seamless_snapping_precompiled::Mesh>;          \
   PREFIX template class internal::Flat_numbering<seamless_snapping_precompiled::Mesh>;             \
-  PREFIX template std::vector<double> internal::residuals_of_parts(                                \
-    const internal::Lists<internal::Incidence>&,                                                   \
-    const std::vector<internal::Mismatched_edge<SM_Halfedge_index> >&);                            \
   PREFIX template std::vector<std::pair<SM_Halfedge_index, int> >                                  \
   internal::singular_vertices<internal::Quarter_turns>(                                            \
     const seamless_snapping_precompiled::Surface_without_indices&, double, int,                    \

@@ -49,10 +49,10 @@ struct Surveyed_edge
   Edge_sides sides;
 };
 
-template <typename Halfedge>
-struct Mismatched_edge
-  : Surveyed_edge<Halfedge> // directed towards the end of larger index
+// What the sides of a mismatched edge tell, once it is directed towards its end of larger index.
+struct Measured_edge
 {
+  Edge_sides sides{};
   int rotation = 0;      // element of the transition from face(halfedge) to the opposite face
   bool is_cut = true;    // else the corners of both sides are merged
   bool is_exact = false; // whether [MC19] Eq. (4) holds exactly
@@ -60,6 +60,17 @@ struct Mismatched_edge
   double residual = 0;   // by how much [MC19] Eq. (4) is violated
   double length = 0;     // edge
   double gap = 0;        // between the sides: for k = 0 the length of the translation
+};
+
+template <typename Halfedge>
+struct Mismatched_edge
+  : Indexed_edge<Halfedge>, Measured_edge
+{
+  explicit Mismatched_edge(const Surveyed_edge<Halfedge>& edge)
+    : Indexed_edge<Halfedge>(edge)
+  {
+    this->sides = edge.sides;
+  }
 };
 
 // --- measures: up to rounding, in units that keep the smallest and the largest maps in range
@@ -73,8 +84,8 @@ inline double unit_scale(const double extent)
 }
 
 // Measures [MC19] Eq. (4) for one rotation. \pre the coordinates are in range
-template <typename Group, typename Halfedge>
-void set_rotation(Mismatched_edge<Halfedge>& edge, const Edge_vectors& vectors,
+template <typename Group>
+void set_rotation(Measured_edge& edge, const Edge_vectors& vectors,
                   const typename Group::Element g, const double scale)
 {
   edge.rotation = g;
@@ -82,9 +93,8 @@ void set_rotation(Mismatched_edge<Halfedge>& edge, const Edge_vectors& vectors,
   edge.residual = edge.is_exact ? 0 : vectors.residual<Group>(g, scale);
 }
 
-template <typename Group, typename Halfedge>
-void measure_length_and_gap(Mismatched_edge<Halfedge>& edge, const Edge_vectors& vectors,
-                            const double scale)
+template <typename Group>
+void measure_length_and_gap(Measured_edge& edge, const Edge_vectors& vectors, const double scale)
 {
   const Edge_sides& sides = edge.sides;
   edge.length = vectors.length<Group>(scale);
@@ -98,9 +108,8 @@ void measure_length_and_gap(Mismatched_edge<Halfedge>& edge, const Edge_vectors&
 // exception it is the rotation of the index: crossing counterclockwise over an edge leads from the
 // face of the halfedge that points to the vertex to the opposite one, and the angles of the sectors
 // make up the rest of a full turn.
-template <typename Group, typename Halfedge>
-typename Group::Element holonomy(const Vertex_incidences& incidences,
-                                 const std::vector<Mismatched_edge<Halfedge> >& edges,
+template <typename Group, typename Edges>
+typename Group::Element holonomy(const Vertex_incidences& incidences, const Edges& edges,
                                  const Vertex_index v, const Edge_index except = -1)
 {
   auto product = Group::identity(); // the elements commute, as all rotations of the plane do

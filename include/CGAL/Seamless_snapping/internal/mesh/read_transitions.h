@@ -22,13 +22,13 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
+#include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -39,65 +39,6 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
-
-// A map that is not seamless for the symmetry that it is read with may well be for another one, or
-// in other coordinates. This finds out which, for the message of a refusal. Floating point is used
-// throughout.
-
-// The largest distance between one side of an edge, turned by a multiple of 360 / N degrees as fits
-// best, and the other side.
-// \param are_lattice whether the coordinates are lattice coordinates, else Cartesian ones
-inline double violation_of_symmetry(const std::vector<Edge_sides>& edges, const int N,
-                                    const bool are_lattice)
-{
-  using Complex = std::complex<double>;
-  const auto vector = [&](const Uv& a, const Uv& b) {
-    const Uv v{b[0] - a[0], b[1] - a[1]};
-    const Uv x = are_lattice ? Rotation_group<6>::to_cartesian(v) : v;
-    return Complex(x[0], x[1]);
-  };
-  double largest = 0;
-  for(const Edge_sides& s : edges) {
-    const Complex here = vector(s.a, s.b), there = vector(s.a_opposite, s.b_opposite);
-    double least = std::abs(here - there);
-    for(int turns = 1; turns < N; ++turns)
-      least = (std::min)(least, std::abs(std::polar(1., 2 * std::acos(-1.) * turns / N) * here -
-                                         there));
-    largest = (std::max)(largest, least);
-  }
-  return largest;
-}
-
-// A sentence that names the symmetry of least order that all edges have up to the tolerance; empty
-// if there is none.
-// \param edges all edges that the given order does not explain
-// \param tolerance a distance
-// \param N the given order
-inline Message hint_on_symmetry(const std::vector<Edge_sides>& edges, const double tolerance,
-                                const int N)
-{
-  const bool is_lattice = N == 3 || N == 6;
-  const auto fits = [&](const int order, const bool are_lattice) {
-    return violation_of_symmetry(edges, order, are_lattice) <= tolerance;
-  };
-  const auto hint = [](const int order, const std::string& coordinates, const std::string& how) {
-    const std::string n = std::to_string(order);
-    return remedy("the map is seamless for N = " + n + ", in " + coordinates + " coordinates") +
-           term(how + "pass rotational_symmetry(Rotational_symmetry<" + n + ">())") +
-           (order == 4 ? ", the default" : "");
-  };
-  for(const int order : {1, 2, 4})
-    if((is_lattice || order > N) && fits(order, false))
-      return hint(order, "Cartesian", ": ");
-  for(const int order : {3, 6}) {
-    if((!is_lattice || order > N) && fits(order, true))
-      return hint(order, "lattice", ": ");
-    if(fits(order, false))
-      return hint(order, "Cartesian", ", in which it cannot be exact: apply "
-                                      "convert_to_lattice_coordinates(), and ");
-  }
-  return {};
-}
 
 // The transitions of a uv map.
 template <typename Halfedge>
@@ -178,7 +119,7 @@ double transition_violation(const Edge_sides& sides,
 {
   const Edge_vectors vectors(sides);
   const bool is_known = given.has_rotations() || (given.has_cuts() && !given.is_cut(h));
-  Mismatched_edge<Halfedge> edge;
+  Measured_edge edge;
   set_rotation<Group>(edge, vectors, is_known ? given.rotation(h)
                                               : vectors.best_fit<Group>(scale, given.order()),
                       scale);
@@ -221,8 +162,7 @@ private:
         s = {{m_surface.opposite(s.halfedge), s.target, s.source}, s.sides.turned()};
     data.edges.reserve(surveyed.size());
     for(const std::size_t i : canonical_order(m_surface, numbers, surveyed)) {
-      data.edges.emplace_back();
-      static_cast<Surveyed_edge<Halfedge>&>(data.edges.back()) = surveyed[i];
+      data.edges.emplace_back(surveyed[i]);
       if(!read_rotation_of(data.edges.back(), data))
         return false;
     }
@@ -318,21 +258,30 @@ private:
       residual = (std::max)(residual, edge.residual);
     if(std::none_of(data.edges.begin(), data.edges.end(),
                     [&](const Mismatched_edge<Halfedge>& edge) {
-                      return edge.length <= 16 * residual || may_be_noise<Group>(edge, residual);
+                      return edge.length <= 16 * residual || may_be_noise(edge, residual);
                     }))
       return true;
     const std::vector<Edge_ends> ends = numbers.ends(data.edges);
     const Vertex_incidences incidences = vertex_incidences(numbers.size(), ends);
+    const Measured_edges edges(data.edges);
+    const auto star = [&](const Incidence& i) {
+      Vertex_star result;
+      for_each_around_target(m_surface, halfedge_towards(m_surface, data.edges, i),
+                             [&](const Halfedge h) {
+        ++result.number_of_edges;
+        result.has_border = result.has_border || m_surface.is_border(h);
+      });
+      return result;
+    };
     if(!m_given.has_rotations()) {
-      data.number_of_edges_decided_by_surroundings =
-        Seam_estimator<Group, Surface>(m_surface, m_given.order(), m_scale,
-                                       m_tolerance * (data.extent * m_scale), ends, incidences,
-                                       data.edges).run();
+      data.number_of_edges_decided_by_surroundings = estimate_rotations<Group>(
+        {m_given.order(), m_scale, m_tolerance * (data.extent * m_scale), m_surface.epsilon()},
+        ends, incidences, star, edges);
       if(data.number_of_edges_decided_by_surroundings > 0 && !check_residuals(data))
         return false;
     }
     if(!m_given.has_cuts())
-      mark_merged_edges<Group>(m_surface, incidences, data.edges);
+      mark_merged_edges(incidences, star, edges);
     return true;
   }
 
