@@ -171,6 +171,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BEN
   set(definitions "$<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>")
   set(precompiled "${PROJECT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx")
   set(options "$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>")
+  set(dirs "$<FILTER:$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>,EXCLUDE,^/usr/include$>")
   file(GLOB benchmarks CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/benchmark/*/*.cpp")
   set(folders ${packages})
   list(TRANSFORM folders REPLACE "(.+)"
@@ -184,8 +185,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BEN
   add_test(NAME benchmarks
     COMMAND "${CMAKE_CXX_COMPILER}" -std=gnu++17 -fsyntax-only ${flags} "${options}"
       "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
-      -I "${PROJECT_SOURCE_DIR}/include" "${folders}"
-      "$<$<BOOL:${include_dirs}>:-isystem;$<JOIN:${include_dirs},;-isystem;>>"
+      "${folders}" "$<$<BOOL:${dirs}>:-isystem;$<JOIN:${dirs},;-isystem;>>"
       -include "${precompiled}" "${source}" COMMAND_EXPAND_LISTS)
   set_tests_properties(benchmarks PROPERTIES LABELS headers COST 700)
 endif()
