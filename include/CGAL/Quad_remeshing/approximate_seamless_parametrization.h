@@ -190,12 +190,29 @@ Parametrization_options read_options(const TriangleMesh& tmesh,
   return options;
 }
 
-template <typename TriangleMesh, typename HalfedgeUVMap>
-void write_coordinates(const Flat_numbering<TriangleMesh>& numbering,
-                       const Parametrization_result& result, HalfedgeUVMap uv_map)
+template <typename TriangleMesh>
+void read_connectivity(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
+                       Triangle_surface& surface)
+{
+  if(numbering.refusal())
+    throw *numbering.refusal();
+  read_flat_mesh<CGAL::Sequential_tag>(tmesh, numbering, surface, [](Flat_corner&, const auto) { });
+  check_connectivity(surface);
+  find_components(surface);
+}
+
+template <typename TriangleMesh, typename HalfedgeUVMap, typename Report>
+void write_result(const Flat_numbering<TriangleMesh>& numbering, const Triangle_surface& surface,
+                  const Parametrization_result& result, HalfedgeUVMap uv_map, Report& report)
 {
   using Point_2 = typename boost::property_traits<HalfedgeUVMap>::value_type;
   using FT = typename Map_number<HalfedgeUVMap>::type;
+  for(std::size_t v = 0; v < result.cone_index.size(); ++v)
+    if(result.cone_index[v] != 0)
+      report.cones.emplace_back(numbering.vertices_in_order()[v], result.cone_index[v]);
+  for(const Corner_index h : result.released)
+    report.released_edges.emplace_back(numbering.vertices_in_order()[surface.source(h)],
+                                       numbering.vertices_in_order()[surface.vertex(h)]);
   for(std::size_t h = 0; h < numbering.halfedges_of_corners().size(); ++h) {
     const std::array<double, 2>& uv = result.uv[result.sector[h]];
     put(uv_map, numbering.halfedges_of_corners()[h], Point_2(FT(uv[0]), FT(uv[1])));
@@ -239,12 +256,8 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
     internal_np::sparse_linear_solver_t, NamedParameters, Default_solver>::type;
 
   const Flat_numbering<TriangleMesh> numbering(tmesh);
-  if(numbering.refusal())
-    throw *numbering.refusal();
   Triangle_surface surface;
-  read_flat_mesh<CGAL::Sequential_tag>(tmesh, numbering, surface, [](Flat_corner&, const auto) { });
-  check_connectivity(surface);
-  find_components(surface);
+  read_connectivity(tmesh, numbering, surface);
   const auto point_map = chosen(np, internal_np::vertex_point,
                                 get_const_property_map(CGAL::vertex_point, tmesh));
   const std::vector<Point> points = places_of(numbering.vertices_in_order(), point_map);
@@ -254,13 +267,7 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
   const Parametrization_result result = parametrize(
     surface, options, Number_format::of<typename Map_number<HalfedgeUVMap>::type>(),
     make_solver<Solver>, static_cast<Parametrization_figures&>(report));
-  for(std::size_t v = 0; v < result.cone_index.size(); ++v)
-    if(result.cone_index[v] != 0)
-      report.cones.emplace_back(numbering.vertices_in_order()[v], result.cone_index[v]);
-  for(const Corner_index h : result.released)
-    report.released_edges.emplace_back(numbering.vertices_in_order()[surface.source(h)],
-                                       numbering.vertices_in_order()[surface.vertex(h)]);
-  write_coordinates(numbering, result, uv_map);
+  write_result(numbering, surface, result, uv_map, report);
   write_transitions(tmesh, numbering, surface, result, np);
 }
 

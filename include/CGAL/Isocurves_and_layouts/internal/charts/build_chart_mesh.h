@@ -33,6 +33,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <type_traits>
 
@@ -196,26 +197,23 @@ build_chart_mesh(const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& 
 }
 
 // Fills `mesh`, unless it returns a refusal.
-template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
-          typename HalfedgeUVMap, typename NamedParameters, typename Group>
-std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
-                                      const Flat_numbering<TriangleMesh>& numbering,
-                                      const HalfedgeUVMap& uv_map, const NamedParameters& np,
-                                      Basic_chart_mesh<Group>& mesh)
+// \param read_seams returns the transitions
+template <typename ConcurrencyTag, typename TriangleMesh, typename HalfedgeUVMap,
+          typename Halfedge, typename Group>
+std::optional<Refusal>
+read_exact_map_with(const std::function<Transition_data<Halfedge>()>& read_seams,
+                    const TriangleMesh& tmesh, const Flat_numbering<TriangleMesh>& numbering,
+                    const HalfedgeUVMap& uv_map, Basic_chart_mesh<Group>& mesh)
 {
   if(auto refusal = inexact_arithmetic())
     return refusal;
   if(faces(tmesh).size() == 0)
     return Refusal(Outcome::INVALID_ARGUMENT, "the mesh has no face; was it read?");
-  static_assert(std::is_same_v<Group, Symmetry_group<NamedParameters> >,
-                "quads, their quantization, and layouts take maps of rotational symmetry 1, 2, and "
-                "4 only; triangles those of 3 and 6");
-  Transition_data<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> seams;
-  call_both<ConcurrencyTag>([&] { seams = read_transitions<Group>(tmesh, uv_map, np); },
-                            [&] {
-                              if(!numbering.refusal())
-                                read_charts<ConcurrencyTag>(tmesh, numbering, uv_map, mesh);
-                            });
+  Transition_data<Halfedge> seams;
+  call_both<ConcurrencyTag>([&] { seams = read_seams(); }, [&] {
+    if(!numbering.refusal())
+      read_charts<ConcurrencyTag>(tmesh, numbering, uv_map, mesh);
+  });
   if(seams.refusal)
     return seams.refusal;
   if(!seams.is_exact)
@@ -224,6 +222,22 @@ std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
                      short_number(seams.violation) + remedy("call snap_to_seamless() first"));
   add_transitions<ConcurrencyTag>(tmesh, numbering, seams, mesh);
   return std::nullopt;
+}
+
+template <typename ConcurrencyTag = CGAL::Sequential_tag, typename TriangleMesh,
+          typename HalfedgeUVMap, typename NamedParameters, typename Group>
+std::optional<Refusal> read_exact_map(const TriangleMesh& tmesh,
+                                      const Flat_numbering<TriangleMesh>& numbering,
+                                      const HalfedgeUVMap& uv_map, const NamedParameters& np,
+                                      Basic_chart_mesh<Group>& mesh)
+{
+  static_assert(std::is_same_v<Group, Symmetry_group<NamedParameters> >,
+                "quads, their quantization, and layouts take maps of rotational symmetry 1, 2, and "
+                "4 only; triangles those of 3 and 6");
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  const std::function<Transition_data<Halfedge>()> read_seams =
+    [&] { return read_transitions<Group>(tmesh, uv_map, np); };
+  return read_exact_map_with<ConcurrencyTag>(read_seams, tmesh, numbering, uv_map, mesh);
 }
 
 } // namespace internal

@@ -39,6 +39,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -155,12 +156,11 @@ constexpr bool may_untangle() // others have no free coordinates
 // Snaps a copy of the map, which is written back if all succeeds.
 // \param index is to take the index of each halfedge
 // \param add_notes to a report, before
-template <bool may_untangle, typename Group, typename Surface, typename IndexMap,
-          typename Add_notes>
+template <bool may_untangle, typename Group, typename Surface, typename IndexMap>
 Snapping_report snap_copy(Surface& input, const double scale, const IndexMap& index,
                           const Given_transitions<Group, typename Surface::Halfedge>& given,
                           const Snapping_options<typename Surface::Halfedge>& options,
-                          const Add_notes& add_notes)
+                          const std::function<void(Snapping_report&)>& add_notes)
 {
   for(const auto& refusal : {check_indices(input), find_bad_face(input)})
     if(refusal)
