@@ -70,6 +70,10 @@ std::vector<std::string> properties(std::istream& file)
   return result;
 }
 
+// Whether it is not the standard input, and has this suffix.
+bool is_file_of_format(const std::string& filename, const std::string& suffix)
+{ return !is_special_file(filename) && suffix_of(filename) == suffix; }
+
 // Those of the file that the text of another one lacks: lists, which CGAL does not read, normals,
 // and parts of colors.
 std::string missing_properties(const std::string& filename, const std::string& text)
@@ -84,7 +88,8 @@ std::string missing_properties(const std::string& filename, const std::string& t
   return result;
 }
 
-// The same, where vertices may have been joined with others in the same place: those of the face.
+// As for_each_corner(), with vertices of the file: of those in one place, which repairs may have
+// joined, the vertex of the face.
 template <typename Visit>
 void for_each_corner_in_file(const Model& model, const Mesh& file, const Location& location,
                              const Visit& visit)
@@ -543,7 +548,7 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
                                  const std::string& filename)
 {
   const std::string format = is_special_file(filename) ? "obj" : suffix_of(filename);
-  if(format == "obj" && !is_special_file(input) && suffix_of(input) == "obj")
+  if(format == "obj" && is_file_of_format(input, "obj"))
     return OBJ_text(model, input, quads, filename);
   if(!is_special_file(input) && format != suffix_of(input) && holds_more_than_a_mesh(input))
     std::cerr << "note: only the mesh of " << input << " is in " << filename
@@ -552,8 +557,7 @@ std::string text_with_attributes(const Model& model, const std::string& input, L
     std::cerr << "note: only the mesh of the standard input is read; to carry over its attributes, "
                  "name a file" << std::endl;
   Mesh file;
-  const bool has_properties =
-    format == "ply" && !is_special_file(input) && suffix_of(input) == "ply";
+  const bool has_properties = format == "ply" && is_file_of_format(input, "ply");
   if(has_properties && !read_PLY_mesh(read_file(input), file)) {
     std::cerr << "note: " << input << " is no mesh before repairs: its attributes are not carried "
               << "over" << std::endl;
@@ -602,8 +606,7 @@ read_sizes(const std::string& property_or_file, const std::string& input, const 
   Mesh file;
   std::vector<double> values;
   const bool is_property =
-    !is_special_file(input) && suffix_of(input) == "ply" &&
-    read_PLY_mesh(read_file(input), file) &&
+    is_file_of_format(input, "ply") && read_PLY_mesh(read_file(input), file) &&
     read_property_of_any<float, double, std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
                          std::int32_t, std::uint32_t>(file, property_or_file, values);
   if(!is_property) {
