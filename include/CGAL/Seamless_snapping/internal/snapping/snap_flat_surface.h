@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
 #include <CGAL/Seamless_snapping/internal/snapping/Surface_snapper.h>
+#include <CGAL/Seamless_snapping/internal/snapping/solve_complex.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 namespace CGAL {
@@ -33,18 +34,13 @@ Snapping_report snap_flat_surface(Flat_surface& surface, double scale,
                                   const Given_transitions<Group, Corner_index>& given,
                                   const Snapping_options<Corner_index>& options);
 
-// For all groups of rotations.
 #define CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE(PREFIX, GROUP, MAY_UNTANGLE)                      \
   PREFIX template Snapping_report snap_flat_surface<GROUP, MAY_UNTANGLE>(                          \
     Flat_surface&, double, const Given_transitions<GROUP, Corner_index>&,                          \
     const Snapping_options<Corner_index>&);
-#define CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACES(PREFIX)                                          \
-  CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE(PREFIX, Rotation_group<4>, false)                       \
-  CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE(PREFIX, Rotation_group<4>, true)                        \
-  CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE(PREFIX, Rotation_group<6>, false)
 
 #ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
-CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACES(extern)
+CGAL_SEAMLESS_SNAPPING_FOR_ALL_GROUPS(CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE, extern)
 #endif
 
 } // namespace internal

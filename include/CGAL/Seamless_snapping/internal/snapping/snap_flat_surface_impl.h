@@ -90,7 +90,7 @@ Snapping_report snap_flat_surface(Flat_surface& surface, const double scale,
 }
 
 #ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
-CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACES()
+CGAL_SEAMLESS_SNAPPING_FOR_ALL_GROUPS(CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE, )
 #endif
 
 } // namespace internal

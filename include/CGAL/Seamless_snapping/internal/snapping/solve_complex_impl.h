@@ -72,7 +72,7 @@ std::optional<Refusal> solve_complex(const Cut_complex<Group>& complex, const bo
 }
 
 #ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
-CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEXES()
+CGAL_SEAMLESS_SNAPPING_FOR_ALL_GROUPS(CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEX, )
 #endif
 
 } // namespace internal
