@@ -104,7 +104,7 @@ py::tuple hexahedra(const Doubles& points, const Integers& tetrahedra, const Dou
 
 py::dict measure_hexahedra(const Doubles& points, const Integers& hexahedra)
 {
-  struct Measurement
+  struct Shape_measurement
   {
     void run() { shapes = HM::measure_hexahedra(points, hexahedra); }
 
@@ -112,8 +112,8 @@ py::dict measure_hexahedra(const Doubles& points, const Integers& hexahedra)
     std::vector<std::array<std::int64_t, 8> > hexahedra;
     HM::Hexahedron_shapes shapes = {};
   };
-  const std::shared_ptr<Measurement> measurement(
-    new Measurement{rows_of<3>(points), rows_of<8>(hexahedra)});
+  const std::shared_ptr<Shape_measurement> measurement(
+    new Shape_measurement{rows_of<3>(points), rows_of<8>(hexahedra)});
   run_apart(py::none(), measurement);
   return dict_of(measurement->shapes);
 }

@@ -28,7 +28,7 @@ using Rational_or =
 
 // Coefficients and right-hand sides, and numbers near a solution.
 template <typename Coefficient>
-struct Snapping
+struct System_to_snap
 {
   // Row i has the terms from `begins[i]` to `begins[i + 1]`. Rationals are in decimal digits.
   void run()
@@ -52,7 +52,7 @@ struct Snapping
 };
 
 template <typename Coefficient>
-std::pair<Doubles, py::dict> snap(std::shared_ptr<Snapping<Coefficient> > snapping,
+std::pair<Doubles, py::dict> snap(std::shared_ptr<System_to_snap<Coefficient> > snapping,
                                   const py::object& progress)
 {
   const double seconds = run_apart(progress, snapping);
@@ -73,7 +73,7 @@ snap_integers(const Integers& begins, const Integers& columns, const Integers& c
               const std::vector<std::string>& sides, const Doubles& values, const Doubles& weights,
               const py::object& progress)
 {
-  return snap(std::shared_ptr<Snapping<std::int64_t> >(new Snapping<std::int64_t>{
+  return snap(std::shared_ptr<System_to_snap<std::int64_t> >(new System_to_snap<std::int64_t>{
                 copy_of(begins), copy_of(columns), copy_of(coefficients), sides, copy_of(values),
                 copy_of(weights)}), progress);
 }
@@ -83,7 +83,7 @@ snap_rationals(const Integers& begins, const Integers& columns,
                const std::vector<std::string>& coefficients, const std::vector<std::string>& sides,
                const Doubles& values, const Doubles& weights, const py::object& progress)
 {
-  return snap(std::shared_ptr<Snapping<std::string> >(new Snapping<std::string>{
+  return snap(std::shared_ptr<System_to_snap<std::string> >(new System_to_snap<std::string>{
                 copy_of(begins), copy_of(columns), coefficients, sides, copy_of(values),
                 copy_of(weights)}), progress);
 }

@@ -22,7 +22,7 @@ snap_volume(const Integers& tetrahedra, const Doubles& uvw, const std::optional<
             const bool repair_flips, const bool integer_grid, const double grid_scale,
             const double rounding, const py::object& progress)
 {
-  struct Snapping
+  struct Volume_snapping
   {
     void run()
     {
@@ -40,8 +40,8 @@ snap_volume(const Integers& tetrahedra, const Doubles& uvw, const std::optional<
     double grid_scale, rounding;
     SS::Snapping_report report = SS::Snapping_report();
   };
-  const std::shared_ptr<Snapping> snapping(
-    new Snapping{{tetrahedra, uvw, facets, edges}, align_boundary, tolerance, repair_flips,
+  const std::shared_ptr<Volume_snapping> snapping(
+    new Volume_snapping{{tetrahedra, uvw, facets, edges}, align_boundary, tolerance, repair_flips,
                  integer_grid, grid_scale, rounding});
   const double seconds = run_apart(progress, snapping);
   py::dict dict = ::dict_of(snapping->report, "cells");
@@ -54,7 +54,7 @@ py::dict measure_volume(const Integers& tetrahedra, const Doubles& uvw,
                         const bool align_boundary)
 {
   using namespace py::literals;
-  struct Measurement
+  struct Volume_measurement
   {
     void run()
     {
@@ -68,8 +68,8 @@ py::dict measure_volume(const Integers& tetrahedra, const Doubles& uvw,
     SS::Volume_seamlessness measured = {};
     bool is_integer_grid = false;
   };
-  const std::shared_ptr<Measurement> measurement(
-    new Measurement{{tetrahedra, uvw, facets, edges}, align_boundary});
+  const std::shared_ptr<Volume_measurement> measurement(
+    new Volume_measurement{{tetrahedra, uvw, facets, edges}, align_boundary});
   run_apart(py::none(), measurement);
   const SS::Volume_seamlessness& s = measurement->measured;
   return py::dict("exact"_a = s.is_exact(), "integer_grid"_a = measurement->is_integer_grid,
