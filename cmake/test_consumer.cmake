@@ -1,6 +1,6 @@
-# Builds and runs the last program of README.md in the project test/Seamless_snapping/consumer: with
-# the installed packages; or with the lowest of them, alone, as a sub-folder, without GMP. Run by
-# ctest, with the variables that package_tests.cmake passes.
+# Builds and runs a program in the project test/Seamless_snapping/consumer: with the installed
+# packages a short one; the last program of README.md with the lowest package alone, as a
+# sub-folder, without GMP. Run by ctest, with the variables that package_tests.cmake passes.
 
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE err)
@@ -11,25 +11,27 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE "${WORK_DIR}")
-file(READ "${PACKAGE_SOURCE_DIR}/README.md" text)
-string(FIND "${text}" "\n```cpp\n" begin REVERSE)
-string(SUBSTRING "${text}" ${begin} -1 text)
-if(NOT text MATCHES "^\n```cpp\n([^`]*)```\n\n```text\n([^`]*)```")
-  message(FATAL_ERROR "README.md lacks a program and what it prints")
-endif()
-set(expected "${CMAKE_MATCH_2}")
-file(WRITE "${WORK_DIR}/build/app.cpp" "${CMAKE_MATCH_1}")
-
 set(without_gmp "")
 if(WAY STREQUAL "installed")
   run("${CMAKE_COMMAND}" --install "${PACKAGE_BINARY_DIR}" --prefix "${WORK_DIR}/prefix"
     --component Seamless_snapping_headers)
   set(package "-DCMAKE_PREFIX_PATH=${WORK_DIR}/prefix")
+  set(source "${PACKAGE_SOURCE_DIR}/test/Seamless_snapping/consumer/check_square.cpp")
+  set(expected "exactly seamless\n")
   file(GLOB_RECURSE licences "${WORK_DIR}/prefix/*/LICENSE")
   if(licences STREQUAL "")
     message(SEND_ERROR "the licence is not installed")
   endif()
 else()
+  file(READ "${PACKAGE_SOURCE_DIR}/README.md" text)
+  string(FIND "${text}" "\n```cpp\n" begin REVERSE)
+  string(SUBSTRING "${text}" ${begin} -1 text)
+  if(NOT text MATCHES "^\n```cpp\n([^`]*)```\n\n```text\n([^`]*)```")
+    message(FATAL_ERROR "README.md lacks a program and what it prints")
+  endif()
+  set(expected "${CMAKE_MATCH_2}")
+  set(source "${WORK_DIR}/app.cpp")
+  file(WRITE "${source}" "${CMAKE_MATCH_1}")
   set(package "-DPACKAGE_SOURCE_DIR=${PACKAGE_SOURCE_DIR}")
   set(without_gmp -DCGAL_DISABLE_GMP=ON)
   string(APPEND CXX_FLAGS " -DCMAKE_OVERRIDDEN_DEFAULT_ENT_BACKEND=BOOST_BACKEND")
@@ -38,6 +40,7 @@ endif()
 run("${CMAKE_COMMAND}"
   -S "${PACKAGE_SOURCE_DIR}/test/Seamless_snapping/consumer"
   -B "${WORK_DIR}/build"
+  "-DSOURCE=${source}"
   -G "${GENERATOR}"
   "-DCMAKE_CXX_COMPILER=${COMPILER}"
   "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
