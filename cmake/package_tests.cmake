@@ -89,19 +89,18 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     endif()
   endforeach()
 
-  foreach(name IN ITEMS refused_types refused_parameters)
-    add_test(NAME ${name}
-      COMMAND "${CMAKE_COMMAND}"
-        "-DSOURCE=${PROJECT_SOURCE_DIR}/test/Seamless_snapping/refused_types/${name}.cpp"
-        "-DCOMPILER=${CMAKE_CXX_COMPILER}"
-        "-DOPTIONS=${header_options};-I;${PROJECT_SOURCE_DIR}/include;${after_elsewhere};\
+  set(folder "${PROJECT_SOURCE_DIR}/test/Seamless_snapping/refused_types")
+  add_test(NAME refused_types
+    COMMAND "${CMAKE_COMMAND}"
+      "-DSOURCES=${folder}/refused_types.cpp;${folder}/refused_parameters.cpp"
+      "-DCOMPILER=${CMAKE_CXX_COMPILER}"
+      "-DOPTIONS=${header_options};-I;${PROJECT_SOURCE_DIR}/include;${after_elsewhere};\
 -DCGAL_SEAMLESS_SNAPPING_COMPILED"
-        -P "${PROJECT_SOURCE_DIR}/cmake/test_refused_types.cmake")
-    set_tests_properties(${name} PROPERTIES LABELS headers)
-    if(after_elsewhere)
-      set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED headers_from_elsewhere)
-    endif()
-  endforeach()
+      -P "${PROJECT_SOURCE_DIR}/cmake/test_refused_types.cmake")
+  set_tests_properties(refused_types PROPERTIES LABELS headers)
+  if(after_elsewhere)
+    set_tests_properties(refused_types PROPERTIES FIXTURES_REQUIRED headers_from_elsewhere)
+  endif()
 
   # Within CGAL, too, and all of them, with the other compiler.
   add_test(NAME into_cgal

@@ -1,17 +1,23 @@
 # What the compiler says of meshes and maps that public functions can't take, and of named
-# parameters that do nothing: the remedy, once for each line "// error: " of a source in
-# test/Seamless_snapping/refused_types, and no other error. Run by ctest, with the variables SOURCE,
-# COMPILER and OPTIONS.
+# parameters that do nothing: the remedy, once for each line "// error: " of the sources in
+# test/Seamless_snapping/refused_types, and no other error. They are compiled together, because they
+# share their headers. Run by ctest, with the variables SOURCES, COMPILER and OPTIONS.
 
 cmake_minimum_required(VERSION 3.16...3.29)
 
-execute_process(COMMAND "${CMAKE_COMMAND}" -E env LC_ALL=C "${COMPILER}" ${OPTIONS} -w "${SOURCE}"
+set(command "${COMPILER}" ${OPTIONS} -w)
+set(expected "")
+foreach(source IN LISTS SOURCES)
+  file(STRINGS "${source}" errors REGEX "^// error: ")
+  list(APPEND expected ${errors})
+  list(APPEND command -include "${source}")
+endforeach()
+execute_process(COMMAND "${CMAKE_COMMAND}" -E env LC_ALL=C ${command} -x c++ /dev/null
   RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE out)
 if(status EQUAL 0)
   message(FATAL_ERROR "it compiles")
 endif()
 string(REGEX MATCHALL "error: [^\n]*" errors "${out}")
-file(STRINGS "${SOURCE}" expected REGEX "^// error: ")
 list(TRANSFORM expected REPLACE "^// error: " "")
 list(LENGTH errors number)
 list(LENGTH expected expected_number)
