@@ -22,7 +22,7 @@ set_target_properties(seamless_snapping_precompiled PROPERTIES
   UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 set_source_files_properties(${precompiled} PROPERTIES UNITY_GROUP of_surfaces)
 set(short_sources ${library_sources})
-list(FILTER short_sources INCLUDE REGEX "/(linear|layouts|volumes|hexahedra)\\.cpp$")
+list(FILTER short_sources INCLUDE REGEX "/(linear|surfaces|layouts|volumes|hexahedra)\\.cpp$")
 set_source_files_properties(${short_sources} PROPERTIES UNITY_GROUP of_library)
 # All programs have the same definitions, hence the same headers: some run in parallel.
 find_package(TBB QUIET)

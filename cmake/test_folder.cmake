@@ -9,7 +9,7 @@ function(seamless_snapping_test name)
 endfunction()
 
 # Tests that share much are compiled together, as tests_of_GROUP; with precompiled PART, if it is
-# not empty, and with EXAMPLES of the package. A compiler takes up to 2.5 GB for each group.
+# not empty, and with EXAMPLES of the package. A compiler takes up to 3.5 GB for each group.
 function(seamless_snapping_tests group part)
   cmake_parse_arguments(PARSE_ARGV 2 with "" "" EXAMPLES)
   get_filename_component(folder "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
