@@ -95,13 +95,13 @@ public:
     for(std::string_view keyword = m_scanner.next_statement();
         !keyword.empty() && !(keeps_indices && m_number_of_uvs == m_soup.uvs.size());
         keyword = m_scanner.next_statement()) {
-      if(is_keyword(keyword, "v"))
+      if(keyword == "v")
         ++m_number_of_points;
-      else if(is_keyword(keyword, "vt"))
+      else if(keyword == "vt")
         rewrite_uv();
-      else if(is_keyword(keyword, "f"))
+      else if(keyword == "f")
         rewrite_face();
-      else if(is_keyword(keyword, "l"))
+      else if(keyword == "l")
         rewrite_polyline();
     }
     return m_copy.take();

@@ -216,7 +216,6 @@ public:
   std::size_t number_of_columns() const { return m_number_of_columns; }
   std::size_t number_of_rows() const { return m_rows.size(); }
   double work_left() const { return m_work_left; } // of that which was allowed
-  std::size_t rank() const { return number_of_columns() - m_basis.size(); }
 
   // Rows that all others depend on over the rational numbers.
   std::vector<Row_index> independent_rows() const
@@ -297,13 +296,6 @@ public:
     if(result.solvability == Solvability::SOLVABLE)
       metric.approach(target, result.values);
     return result;
-  }
-
-  Lattice_solution nearest_solution(const std::vector<Exact_integer>& right_hand_side,
-                                    const std::vector<Grid_value>& target,
-                                    const std::vector<double>& weights) const
-  {
-    return nearest_solution(right_hand_side, target, metric(weights));
   }
 
 private:

@@ -95,8 +95,6 @@ public:
 private:
   void find_components(const Integer_system& system);
   Integer_system subsystem(const Integer_system& system, std::size_t c) const;
-  template <typename Integer>
-  void make_local(Entries<Integer>& row) const;
   std::optional<std::size_t> first_contradictory_component() const;
 
   std::vector<Component_index> m_component_of_column;

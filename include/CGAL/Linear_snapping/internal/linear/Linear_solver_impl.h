@@ -61,13 +61,6 @@ inline Component_solution part_of(const Linear_target& target, const Component_i
   return part;
 }
 
-template <typename Integer>
-void Linear_solver::make_local(Entries<Integer>& row) const
-{
-  for(Entry<Integer>& e : row)
-    e.column = m_local_column[std::size_t(e.column)]; // in the same order
-}
-
 CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Linear_solver::Linear_solver(const Scaled_system& system, const std::vector<double>& weights,
                              const Number_format& format,
@@ -230,6 +223,10 @@ Integer_system Linear_solver::subsystem(const Integer_system& system, const std:
   for(const std::size_t i : m_rows[c])
     number_of_entries += system.row(i).size();
   result.reserve(m_rows[c].size(), number_of_entries);
+  const auto make_local = [&](auto& row) {
+    for(auto& e : row)
+      e.column = m_local_column[std::size_t(e.column)]; // in the same order
+  };
   Entries<std::int64_t> row;
   for(const std::size_t i : m_rows[c])
     if(system.is_small(i)) {

@@ -352,7 +352,8 @@ private:
       return true;
     }), row.end());
     row.push_back({column, c});
-    m_columns.add_column(column, i);
+    m_columns.add_column();
+    m_columns.add(column, i);
 
     Row implied; // w - u - q v - ... = 0, with pivot u
     implied.reserve(sum.size() + 1);

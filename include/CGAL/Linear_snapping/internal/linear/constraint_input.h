@@ -149,36 +149,6 @@ bool has_valid_right_hand_side([[maybe_unused]] const RightHandSide& b,
   return true;
 }
 
-template <typename Coefficient>
-bool has_valid_indices(const Linear_constraints<Coefficient>& c, std::string& problem)
-{
-  for(std::size_t i = 0; i < c.number_of_constraints(); ++i)
-    for(auto term = c.begin(i); term != c.end(i); ++term)
-      if(term->first >= c.number_of_unknowns()) {
-        problem = "constraint " + std::to_string(i) + " has the unknown " +
-                  std::to_string(term->first) + ", but there are only " +
-                  std::to_string(c.number_of_unknowns());
-        return false;
-      }
-  return true;
-}
-
-// Calls `f(entries, row)` for all rows in order; stops and returns false if f does.
-// \pre has_valid_indices(c)
-template <typename Coefficient, typename F>
-bool for_each_row(const Linear_constraints<Coefficient>& c, const F& f)
-{
-  std::vector<Entry<Coefficient> > row;
-  for(std::size_t i = 0; i < c.number_of_constraints(); ++i) {
-    row.clear();
-    for(auto term = c.begin(i); term != c.end(i); ++term)
-      row.push_back({Column_index(term->first), term->second});
-    if(!f(row, i))
-      return false;
-  }
-  return true;
-}
-
 // Whether a built-in number is an integer that fits into 64 bits.
 template <typename T>
 bool is_small_integer(const T& t)
@@ -215,8 +185,7 @@ template <typename Coefficient, typename RightHandSide>
 bool read_constraints(const Linear_constraints<Coefficient>& c, const RightHandSide& b,
                       Scaled_system& system, std::string& problem)
 {
-  if(!has_valid_right_hand_side(b, c.number_of_constraints(), problem) ||
-     !has_valid_indices(c, problem))
+  if(!has_valid_right_hand_side(b, c.number_of_constraints(), problem))
     return false;
   constexpr auto largest = std::size_t((std::numeric_limits<Column_index>::max)());
   if(c.number_of_unknowns() > largest || c.number_of_constraints() > largest) {
@@ -225,19 +194,28 @@ bool read_constraints(const Linear_constraints<Coefficient>& c, const RightHandS
   }
   System_builder builder(c.number_of_unknowns());
   Entries<std::int64_t> integers;
-  const bool finite = for_each_row(c, [&](const auto& row, const std::size_t i) {
-    for(const auto& e : row)
-      if(!is_finite_number(e.coefficient)) {
-        problem = "the coefficient of unknown " + std::to_string(e.column) + " in constraint " +
+  std::vector<Entry<Coefficient> > row;
+  for(std::size_t i = 0; i < c.number_of_constraints(); ++i) {
+    row.clear();
+    for(auto term = c.begin(i); term != c.end(i); ++term) {
+      const auto& [unknown, coefficient] = *term;
+      if(unknown >= c.number_of_unknowns()) {
+        problem = "constraint " + std::to_string(i) + " has the unknown " +
+                  std::to_string(unknown) + ", but there are only " +
+                  std::to_string(c.number_of_unknowns());
+        return false;
+      }
+      if(!is_finite_number(coefficient)) {
+        problem = "the coefficient of unknown " + std::to_string(unknown) + " in constraint " +
                   std::to_string(i) + " is NaN or infinite";
         return false;
       }
+      row.push_back({Column_index(unknown), coefficient});
+    }
     add_row(row, right_hand_side(c, b, i), integers, builder);
-    return true;
-  });
-  if(finite)
-    system = builder.take();
-  return finite;
+  }
+  system = builder.take();
+  return true;
 }
 
 } // namespace internal

@@ -128,13 +128,6 @@ public:
     ++m_count[std::size_t(column)];
   }
 
-  // \pre `column` is the number of columns so far
-  void add_column(const Column_index column, const Row_index row)
-  {
-    add_column();
-    add(column, row);
-  }
-
   // In no row.
   void add_column()
   {

@@ -110,11 +110,6 @@ public:
   {
     m_changes.add(after.grid.value(after.x) - before, weight);
     m_optimal_changes.add(difference(after.optimum, before, after.grid), weight);
-  }
-
-  // A value of which `ratio()` is to know the size.
-  void add_size(const double before, const double weight)
-  {
     m_sizes.add(before, weight);
     int exponent = 0;
     if(std::frexp(before, &exponent) != 0)
@@ -291,7 +286,6 @@ private:
     for(std::size_t k = 0; k < columns.size(); ++k) {
       const std::size_t j = std::size_t(columns[k]);
       result.add(m_x[j], part(k), m_weights[j]);
-      result.add_size(m_x[j], m_weights[j]);
     }
     return result;
   }

@@ -40,22 +40,6 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// \pre all characters are digits
-inline Exact_integer integer_of_digits(const std::string_view digits)
-{
-  constexpr std::size_t chunk = 9; // digits that an int holds
-  Exact_integer result(0);
-  for(std::size_t i = 0; i < digits.size(); i += chunk) {
-    int part = 0, radix = 1;
-    for(const char c : digits.substr(i, chunk)) {
-      part = 10 * part + (c - '0');
-      radix *= 10;
-    }
-    result = Exact_integer(Exact_integer(result * radix) + part);
-  }
-  return result;
-}
-
 // The double nearest to a positive number; of two, that whose last bit is 0. Infinite if it is
 // beyond all.
 inline double nearest_double(const Exact_rational& q)
@@ -99,7 +83,12 @@ double parse_number_or_fraction(const Scanner& scanner, const std::string_view t
   };
   if(!are_digits(p) || !are_digits(q))
     scanner.refuse(quoted(token) + " is not a number");
-  const Exact_integer numerator = integer_of_digits(p), denominator = integer_of_digits(q);
+  const auto integer = [](const std::string_view digits) {
+    const std::size_t first = digits.find_first_not_of('0'); // zeros before would make it octal
+    return first == std::string_view::npos ? Exact_integer(0)
+                                           : Exact_integer(std::string(digits.substr(first)));
+  };
+  const Exact_integer numerator = integer(p), denominator = integer(q);
   if(denominator == 0)
     scanner.refuse(quoted(token) + " divides by zero");
   if(numerator == 0)

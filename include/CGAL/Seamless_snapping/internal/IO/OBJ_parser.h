@@ -233,16 +233,16 @@ Corner_soup<PointNumber, UVNumber> OBJ_parser<PointNumber, UVNumber>::parse()
   const Protect_exact_arithmetic protect;
 
   for(std::string_view keyword; !(keyword = m_scanner.next_statement()).empty();) {
-    if(is_keyword(keyword, "v"))
+    if(keyword == "v")
       m_soup.points.push_back(parse_point());
-    else if(is_keyword(keyword, "l"))
+    else if(keyword == "l")
       parse_polyline();
     else if constexpr(has_uvs) {
-      if(is_keyword(keyword, "vt"))
+      if(keyword == "vt")
         parse_uv();
-      else if(is_keyword(keyword, "f"))
+      else if(keyword == "f")
         parse_triangle();
-    } else if(is_keyword(keyword, "f"))
+    } else if(keyword == "f")
       parse_polygon(m_soup.polygons);
   }
   if(m_soup.faces().empty())

@@ -28,16 +28,6 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// Whether a token is a keyword. Faster than comparing views, of any length.
-template <std::size_t n>
-bool is_keyword(const std::string_view token, const char (&keyword)[n])
-{
-  bool result = token.size() == n - 1;
-  for(std::size_t i = 0; result && i + 1 < n; ++i)
-    result = token[i] == keyword[i];
-  return result;
-}
-
 // Walks through a text; stands within or at the end of the statement that starts at `line()`.
 // Lines end with LF, CRLF, or CR; a backslash before the end of a line joins it to the next one,
 // except in comments, where it is text (as in the path of a folder).

@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -56,7 +57,7 @@ class Chart_joiner
 
 public:
   Chart_joiner(const Flat_volume& volume, const Volume_transitions& transitions)
-    : m_volume(volume), m_transitions(transitions)
+    : m_volume(volume), m_transitions(transitions), m_charts(volume.number_of_cells())
   { }
 
   // Returns false if there are few charts.
@@ -71,10 +72,7 @@ public:
     set(alignment, result.alignment);
     result.transitions.element.swap(m_element);
     result.transitions.is_cut.swap(m_is_cut);
-    result.charts.chart_of_cell.swap(m_chart);
-    result.charts.elements.swap(m_element_of_chart);
-    result.charts.shifts.swap(m_shift);
-    result.charts.roots.swap(m_root);
+    result.charts = std::move(m_charts);
     return true;
   }
 
@@ -87,7 +85,7 @@ private:
 
   static constexpr std::int32_t unknown = -1, border = -2;
 
-  std::int32_t chart_of(const Corner_index facet) const { return m_chart[std::size_t(facet / 4)]; }
+  std::size_t chart_of(const Corner_index f) const { return m_charts.chart(std::size_t(f)); }
   Corner_index facet(const std::size_t i) const { return m_volume.open_facets[i]; }
   Corner_index other(const std::size_t i) const { return m_volume.opposite[std::size_t(facet(i))]; }
 
@@ -102,38 +100,37 @@ private:
     for(std::size_t f = 0; f < m_volume.opposite.size(); ++f)
       if(m_volume.opposite[f] > Corner_index(f) && m_place[f] < 0)
         classes.unite(f / 4, std::size_t(m_volume.opposite[f] / 4));
-    m_chart.assign(m_volume.number_of_cells(), -1);
     std::int32_t number_of_charts = 0;
-    for(std::size_t c = 0; c < m_chart.size(); ++c) {
+    for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c) {
       const std::size_t root = classes.root(c); // the first cell
-      m_chart[c] = root == c ? number_of_charts++ : m_chart[root];
+      m_charts.chart_of_cell[c] = root == c ? number_of_charts++ : m_charts.chart_of_cell[root];
     }
-    m_element_of_chart.assign(std::size_t(number_of_charts), -1);
-    m_shift.assign(std::size_t(number_of_charts), Uvw{});
-    m_root.assign(std::size_t(number_of_charts), -1);
+    m_charts.elements.assign(std::size_t(number_of_charts), -1);
+    m_charts.shifts.assign(std::size_t(number_of_charts), Uvw{});
+    m_charts.roots.assign(std::size_t(number_of_charts), -1);
   }
 
   // Turns and moves charts along a spanning forest. Returns how many it reaches from others.
   std::size_t span()
   {
     const Lists<Corner_index> facets( // cut facets, by the chart of their cells
-      m_element_of_chart.size(), [&](const auto& add) {
+      m_charts.roots.size(), [&](const auto& add) {
         for(std::size_t i = 0; i < m_is_cut.size(); ++i)
           if(m_is_cut[i] != 0)
             for(const Corner_index f : {facet(i), other(i)})
               add(chart_of(f), f);
       });
-    std::vector<std::int32_t> queue;
-    for(std::size_t root = 0; root < m_element_of_chart.size(); ++root) {
-      if(m_element_of_chart[root] >= 0)
+    std::vector<std::size_t> queue;
+    for(std::size_t root = 0; root < m_charts.roots.size(); ++root) {
+      if(m_charts.elements[root] >= 0)
         continue;
-      m_element_of_chart[root] = Group::identity();
-      m_root[root] = std::int32_t(root);
+      m_charts.elements[root] = Group::identity();
+      m_charts.roots[root] = std::int32_t(root);
       std::size_t i = queue.size();
-      for(queue.push_back(std::int32_t(root)); i < queue.size(); ++i)
+      for(queue.push_back(root); i < queue.size(); ++i)
         for(const Corner_index f : facets[queue[i]])
-          if(const std::int32_t chart = chart_of(m_volume.opposite[std::size_t(f)]);
-             m_element_of_chart[std::size_t(chart)] < 0) {
+          if(const std::size_t chart = chart_of(m_volume.opposite[std::size_t(f)]);
+             m_charts.elements[chart] < 0) {
             fit(f);
             m_tree.push_back(std::size_t(m_place[std::size_t(f)]));
             queue.push_back(chart);
@@ -146,31 +143,31 @@ private:
   void fit(const Corner_index from)
   {
     const std::size_t i = std::size_t(m_place[std::size_t(from)]);
-    const std::size_t here = std::size_t(chart_of(from));
-    const std::size_t there = std::size_t(chart_of(m_volume.opposite[std::size_t(from)]));
+    const std::size_t here = chart_of(from);
+    const std::size_t there = chart_of(m_volume.opposite[std::size_t(from)]);
     const int g = m_transitions.element[i]; // from the side that the list names
-    m_element_of_chart[there] =
-      Group::compose(m_element_of_chart[here], facet(i) == from ? Group::inverse(g) : g);
+    m_charts.elements[there] =
+      Group::compose(m_charts.elements[here], facet(i) == from ? Group::inverse(g) : g);
     const Facet_sides sides = m_volume.sides(from);
-    m_root[there] = m_root[here];
-    Uvw& shift = m_shift[there];
+    m_charts.roots[there] = m_charts.roots[here];
+    Uvw& shift = m_charts.shifts[there];
     for(std::size_t k = 0; k < 3; ++k) {
-      const Uvw a = Group::apply(m_element_of_chart[here], sides.here[k]);
-      const Uvw b = Group::apply(m_element_of_chart[there], sides.there[k]);
+      const Uvw a = Group::apply(m_charts.elements[here], sides.here[k]);
+      const Uvw b = Group::apply(m_charts.elements[there], sides.there[k]);
       for(std::size_t c = 0; c < 3; ++c)
         shift[c] += (a[c] - b[c]) / 3;
     }
     for(std::size_t c = 0; c < 3; ++c)
-      shift[c] += m_shift[here][c];
+      shift[c] += m_charts.shifts[here][c];
   }
 
   void join_at_edges()
   {
     for(std::size_t i = 0; i < m_is_cut.size(); ++i)
       m_element.push_back(Group::compose(
-        m_element_of_chart[std::size_t(chart_of(other(i)))],
+        m_charts.elements[chart_of(other(i))],
         Group::compose(m_transitions.element[i],
-                       Group::inverse(m_element_of_chart[std::size_t(chart_of(facet(i)))]))));
+                       Group::inverse(m_charts.elements[chart_of(facet(i))]))));
     find_edges();
     std::vector<std::size_t> queue;
     queue.swap(m_tree);
@@ -252,7 +249,7 @@ private:
   void set(const Volume_alignment& alignment, Volume_alignment& result) const
   {
     const auto moved = [&](const Corner_index corner, const int k) {
-      const int g = m_element_of_chart[std::size_t(chart_of(corner))];
+      const int g = m_charts.elements[chart_of(corner)];
       return int(Group::source(Group::inverse(g), std::size_t(k)));
     };
     for(std::size_t i = 0; i < alignment.coordinate.size(); ++i)
@@ -264,10 +261,7 @@ private:
   const Flat_volume& m_volume;
   const Volume_transitions& m_transitions;
   std::vector<std::int32_t> m_place;   // per facet: the place of its cut among the open ones, or -1
-  std::vector<std::int32_t> m_chart;   // per cell
-  std::vector<int> m_element_of_chart; // -1 while it is not reached
-  std::vector<Uvw> m_shift;            // per chart
-  std::vector<std::int32_t> m_root;    // per chart
+  Volume_charts m_charts;              // elements are -1 while they are not reached
   std::vector<std::size_t> m_tree;     // the facets that the forest crosses
   std::vector<int> m_element;          // per open facet, between the new charts
   std::vector<char> m_is_cut;          // per open facet

@@ -227,17 +227,21 @@ private:
 // Other charts for the cells, in which most facets are no cuts.
 // In place of u, the system is about g u + shift, with the g and shift of the cell's chart. Turning
 // and moving the chart of a cell changes nothing but what is called the transitions across its
-// facets. Without charts, each cell keeps its own.
+// facets.
 struct Volume_charts
 {
   using Group = Cube_rotations;
+
+  // Leaves all cells where they are.
+  explicit Volume_charts(const std::size_t number_of_cells = 0)
+    : chart_of_cell(number_of_cells, 0), elements(1, Group::identity()), shifts(1), roots(1, 0)
+  { }
 
   std::vector<std::int32_t> chart_of_cell;
   std::vector<Group::Element> elements; // per chart
   std::vector<Uvw> shifts;              // per chart
   std::vector<std::int32_t> roots;      // per chart: one that is joined with it
 
-  bool are_given() const { return chart_of_cell.empty(); }
   std::size_t chart(const std::size_t corner) const
   {
     return std::size_t(chart_of_cell[corner / 4]);
@@ -246,25 +250,23 @@ struct Volume_charts
   // A name of all charts that are joined with the chart of a corner.
   std::size_t root(const Corner_index corner) const
   {
-    return are_given() ? 0 : std::size_t(roots[chart(std::size_t(corner))]);
+    return std::size_t(roots[chart(std::size_t(corner))]);
   }
 
   // From the coordinates of the input to the coordinates of the system.
   Group::Element element(const std::size_t corner) const
   {
-    return are_given() ? Group::identity() : elements[chart(corner)];
+    return elements[chart(corner)];
   }
 
   double shift(const std::size_t corner, const std::size_t c) const
   {
-    return are_given() ? 0 : shifts[chart(corner)][c];
+    return shifts[chart(corner)][c];
   }
 
   // Coordinate c in the system of what has coordinates `u` in the input.
   double coordinate(const Uvw& u, const std::size_t corner, const std::size_t c) const
   {
-    if(are_given())
-      return u[c];
     const Group::Element g = elements[chart(corner)];
     return Group::sign(g, c) * u[Group::source(g, c)] + shifts[chart(corner)][c];
   }

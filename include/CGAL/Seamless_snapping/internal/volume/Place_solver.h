@@ -43,9 +43,11 @@ public:
   // \param is_inexact per coordinate of a slot: whether a constraint on it does not hold
   Place_solver(const Flat_volume& volume, const Volume_charts& charts,
                const Volume_sectors& sectors, const Volume_places& places,
-               const std::vector<char>& is_inexact, const Number_format& format)
+               const Volume_members& members, const std::vector<char>& is_inexact,
+               const Number_format& format)
     : m_volume(volume), m_charts(charts), m_sectors(sectors), m_places(places),
-      m_means(volume, sectors, charts), m_format(format), m_system(sectors, places),
+      m_members(members), m_means(volume.coordinates, sectors, charts), m_format(format),
+      m_system(sectors, places),
       m_classes(sectors, places),
       m_solver(m_system.rows(), m_system.weights(), format, m_system.weights().size(), false),
       m_moves(m_classes.size(), 0)
@@ -142,79 +144,51 @@ private:
     std::vector<Grid_value> result;
     for(const Place& place : m_places.places)
       for(std::size_t slot = 0; slot < place.number_of_slots; ++slot)
-        for(std::size_t c = 0; c < 3; ++c) {
-          Mean_of_grid_values mean;
-          for(std::size_t m = 0; m < place.number_of_members(); ++m)
-            mean.add(m_means(place.sector(m, slot), c, grid(result.size())));
-          result.push_back(mean.mean());
-        }
+        for(std::size_t c = 0; c < 3; ++c)
+          result.push_back(m_means(place, slot, c, grid(result.size())));
     return result;
   }
 
   void expand(std::vector<Uvw>& coordinates)
   {
     coordinates = m_volume.coordinates;
-    for(const Place& place : m_places.places) {
-      if(place.number_of_members() == 1) {
-        set_member(place, 0, Place_freedom(), {}, coordinates);
-        continue;
-      }
-      const Place_freedom freedom = freedom_of(place, m_places, m_sectors.sheet_element);
-      for(std::size_t m = 0; m < place.number_of_members(); ++m)
-        set_member(place, m, freedom, displacement(place, m, freedom), coordinates);
-    }
+    for(Member_index m = 0; m < m_members.size(); ++m)
+      set_member(m, coordinates);
   }
 
-  // The integers e that take a member nearest to its corners: for each free coordinate the mean
-  // over all slots, in the chart of the first. Relative to the first summand, no digit is lost.
-  std::array<std::int64_t, 3> displacement(const Place& place, const std::size_t m,
-                                           const Place_freedom& freedom) const
+  // The integers by which the unknowns of a member take it nearest to its corners: for each the
+  // mean over all slots. A single member is there already.
+  std::array<std::int64_t, 3> displacement(const Member_index m) const
   {
-    std::array<std::int64_t, 3> e{};
-    for(int first = 0; first < 3; ++first) {
-      if(freedom.first[std::size_t(first)] != first ||
-         !moves(3 * place.first_slot + std::size_t(first)))
-        continue;
-      Mean_of_grid_values mean;
-      for(std::size_t c = 0; c < 3; ++c)
-        for(std::size_t slot = 0; slot < place.number_of_slots; ++slot)
-          if(freedom.first[c] == first)
-            mean.add(deviation(place, m, slot, freedom, c));
-      const Grid_value z = mean.mean();
-      for(std::size_t c = 0; c < 3; ++c)
-        if(freedom.first[c] == first)
-          e[c] = freedom.sign[c] * (z.base + nearest_integer(z.offset));
-    }
-    return e;
-  }
-
-  // Coordinate c of the displacement that a slot asks for.
-  Grid_value deviation(const Place& place, const std::size_t m, const std::size_t slot,
-                       const Place_freedom& freedom, const std::size_t c) const
-  {
-    const int back = Group::inverse(freedom.rotation[slot]);
-    const std::size_t from = Group::source(back, c);
-    const int sign = Group::sign(back, c) * freedom.sign[c];
-    const std::size_t column = 3 * (place.first_slot + slot) + from;
-    const Grid_value u = m_means(place.sector(m, slot), from, grid(column));
-    return {sign * (u.base - m_x[column]), sign * u.offset};
-  }
-
-  void set_member(const Place& place, const std::size_t m, const Place_freedom& freedom,
-                  const std::array<std::int64_t, 3>& e, std::vector<Uvw>& coordinates)
-  {
-    for(std::size_t slot = 0; slot < place.number_of_slots; ++slot) {
-      const std::array<std::int64_t, 3> turned =
-        freedom.rotation.empty() ? e : Group::apply(freedom.rotation[slot], e);
+    const Place& place = m_members.place(m);
+    std::array<Mean_of_grid_values, 3> means;
+    for(std::size_t slot = 0; place.number_of_members() > 1 && slot < place.number_of_slots; ++slot)
       for(std::size_t c = 0; c < 3; ++c) {
-        const std::size_t column = 3 * (place.first_slot + slot) + c;
+        const std::size_t column = m_members.column(m, slot, c);
+        const Volume_members::Term t = m_members.term(m, slot, c);
+        if(t.sign == 0 || !moves(column))
+          continue;
+        const Grid_value u = m_means(m_members.sector(m, slot), c, grid(column));
+        means[t.unknown - m_members.first_unknown(m)].add(
+          {t.sign * (u.base - m_x[column]), t.sign * u.offset});
+      }
+    return {means[0].rounded(), means[1].rounded(), means[2].rounded()};
+  }
+
+  void set_member(const Member_index m, std::vector<Uvw>& coordinates)
+  {
+    const std::array<std::int64_t, 3> moved = displacement(m);
+    for(std::size_t slot = 0; slot < m_members.place(m).number_of_slots; ++slot)
+      for(std::size_t c = 0; c < 3; ++c) {
+        const std::size_t column = m_members.column(m, slot, c);
         if(!moves(column))
           continue;
-        if(!set_sector(place.sector(m, slot), c, grid(column), m_x[column] + turned[c],
-                       coordinates))
+        const Volume_members::Term t = m_members.term(m, slot, c);
+        const std::int64_t by =
+          t.sign == 0 ? 0 : t.sign * moved[t.unknown - m_members.first_unknown(m)];
+        if(!set_sector(m_members.sector(m, slot), c, grid(column), m_x[column] + by, coordinates))
           return note_misfit(m_classes.root(column));
       }
-    }
   }
 
   // Sets coordinate c, x in the system, of all corners of a sector. Returns false if some can't be
@@ -225,19 +199,13 @@ private:
     if(!grid.is_representable(x))
       return false;
     for(const Corner_index i : m_sectors.corners[s]) {
-      double to = grid.value(x);
-      std::size_t column = c;
-      if(!m_charts.are_given()) {
-        const int g = m_charts.element(std::size_t(i));
-        const Grid_value shift = grid.split(m_charts.shift(std::size_t(i), c));
-        const std::int64_t in_chart = Group::sign(g, c) * (x - shift.base);
-        if(!grid.is_representable(in_chart) || shift.offset != 0)
-          return false;
-        to = grid.value(in_chart);
-        column = Group::source(g, c);
-      }
-      double& u = coordinates[std::size_t(i)][column];
-      if(u != to) // a zero that stays one keeps its sign
+      const int g = m_charts.element(std::size_t(i));
+      const Grid_value shift = grid.split(m_charts.shift(std::size_t(i), c));
+      const std::int64_t in_chart = Group::sign(g, c) * (x - shift.base);
+      if(!grid.is_representable(in_chart) || shift.offset != 0)
+        return false;
+      double& u = coordinates[std::size_t(i)][Group::source(g, c)];
+      if(const double to = grid.value(in_chart); u != to) // a zero that stays one keeps its sign
         u = to;
     }
     return true;
@@ -247,6 +215,7 @@ private:
   const Volume_charts& m_charts;
   const Volume_sectors& m_sectors;
   const Volume_places& m_places;
+  const Volume_members& m_members;
   Sector_means m_means;
   Number_format m_format;
   Place_system m_system;

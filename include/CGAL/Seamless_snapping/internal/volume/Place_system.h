@@ -81,51 +81,6 @@ private:
   std::vector<std::size_t> m_root; // per coordinate of a slot
 };
 
-// The mean of the corners of sectors: they are one place in the result.
-class Sector_means
-{
-public:
-  Sector_means(const Flat_volume& volume, const Volume_sectors& sectors,
-               const Volume_charts& charts)
-    : m_volume(volume), m_sectors(sectors), m_charts(charts)
-  { }
-
-  // As numbers of a grid, with what is left.
-  Grid_value operator()(const Sector_number s, const std::size_t c, const Grid& grid) const
-  {
-    const auto corners = m_sectors.corners[s];
-    const double first = coordinate(corners.front(), c);
-    double deviation = 0;
-    for(const Corner_index i : corners)
-      deviation += coordinate(i, c) - first;
-    Grid_value result = grid.split(first);
-    if(deviation != 0)
-      result.offset += grid.in_steps(deviation / static_cast<double>(corners.size()));
-    return result;
-  }
-
-  // In the chart of the system, and in the chart of the input.
-  double largest(const Sector_number s, const std::size_t c) const
-  {
-    double result = 0;
-    for(const Corner_index i : m_sectors.corners[s]) {
-      const double u = coordinate(i, c);
-      result = (std::max)({result, std::abs(u), std::abs(u - m_charts.shift(std::size_t(i), c))});
-    }
-    return result;
-  }
-
-private:
-  double coordinate(const Corner_index i, const std::size_t c) const
-  {
-    return m_charts.coordinate(m_volume.uvw(i), std::size_t(i), c);
-  }
-
-  const Flat_volume& m_volume;
-  const Volume_sectors& m_sectors;
-  const Volume_charts& m_charts;
-};
-
 // The mean of grid values, without loss of digits: relative to the first, and in two parts whose
 // sums have room for 2^31 values.
 class Mean_of_grid_values
@@ -151,10 +106,73 @@ public:
             static_cast<double>(rest % m_count) / static_cast<double>(m_count) + offset};
   }
 
+  // The integer next to the mean; 0 without values.
+  std::int64_t rounded() const
+  {
+    const Grid_value v = m_count == 0 ? Grid_value() : mean();
+    return v.base + nearest_integer(v.offset);
+  }
+
 private:
   static constexpr std::int64_t radix = std::int64_t(1) << 28;
   std::int64_t m_first = 0, m_high = 0, m_low = 0, m_count = 0;
   double m_offset = 0;
+};
+
+// The mean of the corners of sectors: they are one place in the result.
+class Sector_means
+{
+public:
+  // \param u per corner
+  Sector_means(const std::vector<Uvw>& u, const Volume_sectors& sectors,
+               const Volume_charts& charts)
+    : m_u(u), m_sectors(sectors), m_charts(charts)
+  { }
+
+  // As numbers of a grid, with what is left.
+  Grid_value operator()(const Sector_number s, const std::size_t c, const Grid& grid) const
+  {
+    const auto corners = m_sectors.corners[s];
+    const double first = coordinate(corners.front(), c);
+    double deviation = 0;
+    for(const Corner_index i : corners)
+      deviation += coordinate(i, c) - first;
+    Grid_value result = grid.split(first);
+    if(deviation != 0)
+      result.offset += grid.in_steps(deviation / static_cast<double>(corners.size()));
+    return result;
+  }
+
+  // The mean over all members of a place.
+  Grid_value operator()(const Volume_places::Place& place, const std::size_t slot,
+                        const std::size_t c, const Grid& grid) const
+  {
+    Mean_of_grid_values mean;
+    for(std::size_t m = 0; m < place.number_of_members(); ++m)
+      mean.add((*this)(place.sector(m, slot), c, grid));
+    return mean.mean();
+  }
+
+  // In the chart of the system, and in the chart of the input.
+  double largest(const Sector_number s, const std::size_t c) const
+  {
+    double result = 0;
+    for(const Corner_index i : m_sectors.corners[s]) {
+      const double u = coordinate(i, c);
+      result = (std::max)({result, std::abs(u), std::abs(u - m_charts.shift(std::size_t(i), c))});
+    }
+    return result;
+  }
+
+private:
+  double coordinate(const Corner_index i, const std::size_t c) const
+  {
+    return m_charts.coordinate(m_u[std::size_t(i)], std::size_t(i), c);
+  }
+
+  const std::vector<Uvw>& m_u;
+  const Volume_sectors& m_sectors;
+  const Volume_charts& m_charts;
 };
 
 // Invariant: column 3 s + c is coordinate c of slot s, the mean over the members of the place, and

@@ -44,13 +44,11 @@ namespace internal {
 class Integer_places
 {
   using Group = Cube_rotations;
-  using Place = Volume_places::Place;
 
 public:
-  Integer_places(const Volume_sectors& sectors, const Volume_places& places,
-                 const Volume_members& members, const Number_format& format)
-    : m_sectors(sectors), m_places(places), m_members(members), m_integers(format, 0),
-      m_system(sectors, places),
+  Integer_places(const Volume_structure& structure, const Number_format& format)
+    : m_structure(structure), m_integers(format, 0),
+      m_system(structure.sectors, structure.places),
       m_solver(m_system.rows(), m_system.weights(), format, m_system.weights().size(), false)
   { }
 
@@ -89,8 +87,7 @@ public:
   // Coordinate c of the sector of a corner, in all members alike.
   std::int64_t operator()(const Corner_index corner, const std::size_t c) const
   {
-    return m_x[m_members.column(m_members.member_of_corner(corner),
-                                m_members.slot_of_corner(corner), c)];
+    return m_x[m_structure.members.column(corner, c)];
   }
 
 private:
@@ -98,50 +95,32 @@ private:
   // free: else their rounding would disturb the rounding of the others.
   std::vector<Grid_value> targets(const std::vector<Uvw>& u) const
   {
+    const Sector_means means(u, m_structure.sectors, m_structure.charts);
     std::vector<Grid_value> result;
-    std::vector<Uvw> means;
     Member_index first_member = 0;
-    for(const Place& place : m_places.places) {
-      mean_of_slots(place, u, means);
-      const Place_freedom& freedom = m_members.freedom(first_member);
-      const Uvw first = means.front();
+    for(const Volume_places::Place& place : m_structure.places.places) {
+      const Place_freedom& freedom = m_structure.members.freedom(first_member);
+      std::array<Grid_value, 3> first;
       for(std::size_t slot = 0; slot < place.number_of_slots; ++slot)
         for(std::size_t c = 0; c < 3; ++c) {
-          const std::size_t source = Group::source(freedom.rotation[slot], c);
-          double x = means[slot][c];
-          if(const int free = freedom.first[source]; free >= 0)
-            x -= Group::sign(freedom.rotation[slot], c) * freedom.sign[source] *
-                 first[std::size_t(free)];
-          result.push_back(m_integers.split(x));
+          Grid_value x = means(place, slot, c, m_integers);
+          if(slot == 0) // which is turned by the identity
+            first[c] = x;
+          const int g = freedom.rotation[slot];
+          const std::size_t source = Group::source(g, c);
+          if(const int free = freedom.first[source]; free >= 0) {
+            const Grid_value& f = first[std::size_t(free)];
+            const int sign = Group::sign(g, c) * freedom.sign[source];
+            x = {x.base - sign * f.base, x.offset - sign * f.offset};
+          }
+          result.push_back(x);
         }
       first_member += place.number_of_members();
     }
     return result;
   }
 
-  // The corners of a sector are in one place, or nearly so: one of them is enough here.
-  void mean_of_slots(const Place& place, const std::vector<Uvw>& u,
-                     std::vector<Uvw>& means) const
-  {
-    means.assign(place.number_of_slots, Uvw());
-    for(std::size_t i = 0; i < place.members.size(); ++i) {
-      const Uvw& x = u[std::size_t(m_sectors.corners[place.members[i]].front())];
-      const Uvw& first = // digits are lost less relative to the first
-        u[std::size_t(m_sectors.corners[place.members[i % place.number_of_slots]].front())];
-      for(std::size_t c = 0; c < 3; ++c)
-        means[i % place.number_of_slots][c] += x[c] - first[c];
-    }
-    for(std::size_t slot = 0; slot < place.number_of_slots; ++slot)
-      for(std::size_t c = 0; c < 3; ++c) {
-        double& mean = means[slot][c];
-        mean = mean / static_cast<double>(place.number_of_members()) +
-               u[std::size_t(m_sectors.corners[place.members[slot]].front())][c];
-      }
-  }
-
-  const Volume_sectors& m_sectors;
-  const Volume_places& m_places;
-  const Volume_members& m_members;
+  const Volume_structure& m_structure;
   Grid m_integers;
   Place_system m_system;
   Linear_solver m_solver;
@@ -157,20 +136,18 @@ class Rounding_displacement
 
 public:
   // \param u per corner
-  Rounding_displacement(const Volume_sectors& sectors, const Volume_members& members,
-                        const Integer_places& integers, const std::vector<Uvw>& u)
-    : m_members(members), m_bases(u.size()), m_terms(u.size()),
-      m_moves(members.number_of_unknowns(), 0)
+  Rounding_displacement(const Volume_structure& structure, const Integer_places& integers,
+                        const std::vector<Uvw>& u)
+    : m_bases(u.size()), m_terms(u.size()), m_moves(structure.members.number_of_unknowns(), 0)
   {
     for(std::size_t i = 0; i < u.size(); ++i) {
       const Corner_index corner = Corner_index(i);
       for(std::size_t c = 0; c < 3; ++c) {
         m_bases[i][c] = static_cast<double>(integers(corner, c)) - u[i][c];
-        m_terms[i][c] = members.term(members.member_of_corner(corner),
-                                     members.slot_of_corner(corner), c);
+        m_terms[i][c] = structure.members.term(corner, c);
       }
     }
-    move_near(sectors);
+    move_near(structure.members, structure.sectors);
     for(std::size_t i = 0; i < u.size(); i += 4)
       m_weights.push_back(weights_of_cell(&u[i]));
   }
@@ -232,13 +209,13 @@ private:
   using Weights = std::array<double, 6>; // per edge of a cell
 
   // Each sector of a member counts once.
-  void move_near(const Volume_sectors& sectors)
+  void move_near(const Volume_members& members, const Volume_sectors& sectors)
   {
-    for(Member_index m = 0; m < m_members.size(); ++m) {
+    for(Member_index m = 0; m < members.size(); ++m) {
       std::array<double, 3> sum{}, count{};
-      const std::size_t first = m_members.first_unknown(m);
-      m_members.for_each_corner(m, [&](const std::size_t slot, const Corner_index i) {
-        const Sector_number s = m_members.sector(m, slot);
+      const std::size_t first = members.first_unknown(m);
+      members.for_each_corner(m, [&](const std::size_t slot, const Corner_index i) {
+        const Sector_number s = members.sector(m, slot);
         const double weight = 1 / static_cast<double>(sectors.corners[s].size());
         for(std::size_t c = 0; c < 3; ++c)
           if(const Volume_members::Term& t = m_terms[std::size_t(i)][c]; t.sign != 0) {
@@ -332,7 +309,6 @@ private:
   static double product(const Values& a, const Values& b)
   { return std::inner_product(a.begin(), a.end(), b.begin(), 0.); }
 
-  const Volume_members& m_members;
   std::vector<Uvw> m_bases;                                   // per corner
   std::vector<std::array<Volume_members::Term, 3> > m_terms;  // per corner
   std::vector<Weights> m_weights;                             // per cell

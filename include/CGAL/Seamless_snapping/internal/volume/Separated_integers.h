@@ -247,18 +247,15 @@ private:
 
   bool is_free(const std::size_t i) const
   {
-    for(std::size_t k = 0; k < m_is_open.size(); ++k)
-      if(m_is_open[k] != 0 && m_images[i][k] != 0)
-        return true;
-    return false;
+    return std::any_of(m_images[i].begin(), m_images[i].end(),
+                       [](const std::int64_t a) { return a != 0; });
   }
 
   double value(const std::size_t i) const
   {
     double result = static_cast<double>(m_values[i]);
-    for(std::size_t k = 0; k < m_is_open.size(); ++k)
-      if(m_is_open[k] != 0)
-        result += static_cast<double>(m_images[i][k]) * m_optimum[Eigen::Index(k)];
+    for(std::size_t k = 0; k < m_basis.size(); ++k)
+      result += static_cast<double>(m_images[i][k]) * m_optimum[Eigen::Index(k)];
     return result;
   }
 
@@ -278,12 +275,12 @@ private:
     while(true) {
       std::size_t least = m_basis.size();
       for(std::size_t k = 0; k < m_basis.size(); ++k)
-        if(m_is_open[k] != 0 && image[k] != 0 &&
+        if(image[k] != 0 &&
            (least == m_basis.size() || std::abs(image[k]) < std::abs(image[least])))
           least = k;
       bool is_alone = true;
       for(std::size_t k = 0; k < m_basis.size(); ++k)
-        if(m_is_open[k] != 0 && k != least && image[k] != 0) {
+        if(k != least && image[k] != 0) {
           subtract(k, image[k] / image[least], least);
           is_alone = is_alone && image[k] == 0;
         }
@@ -340,7 +337,7 @@ private:
         continue;
       bool is_last = true;
       for(std::size_t l = 0; l < m_basis.size() && is_last; ++l)
-        is_last = l == k || m_is_open[l] == 0 || m_images[i][l] == 0;
+        is_last = l == k || m_images[i][l] == 0;
       const double bound = static_cast<double>(1 - m_values[i]) / static_cast<double>(a);
       if(is_last && a > 0)
         result.first = (std::max)(result.first, std::int64_t(std::ceil(bound)));
@@ -360,11 +357,11 @@ private:
     for(const Entry<std::int64_t>& e : m_basis[k])
       m_point[std::size_t(e.column)] += x * e.coefficient;
     for(std::size_t i = 0; i < m_values.size(); ++i)
-      m_values[i] += x * m_images[i][k];
+      m_values[i] += x * std::exchange(m_images[i][k], 0);
   }
 
   std::vector<Vector> m_basis;
-  std::vector<Image> m_images;        // per difference
+  std::vector<Image> m_images;        // per difference; 0 for coefficients that are chosen
   std::vector<std::int64_t> m_point;  // per column
   std::vector<std::int64_t> m_values; // per difference: its value at the point
   std::vector<char> m_is_open;        // per vector of the basis: its coefficient is not chosen yet

@@ -29,7 +29,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -66,21 +65,13 @@ public:
         if(is_fixed(Corner_index(i), c))
           for(const int sign : {1, -1})
             walk(Corner_index(i), c, sign);
-    std::vector<Separation> result;
-    for(const Terms& terms : m_found) {
-      result.emplace_back();
-      for(const auto& [column, coefficient] : terms)
-        result.back().push_back({Column_index(column), coefficient});
-    }
-    return result;
+    return {m_found.begin(), m_found.end()};
   }
 
 private:
   // In units. Roundings join nothing that is farther away, or farther from the line of a walk.
   static constexpr double largest_distance = 2, largest_offset = 1;
   static constexpr int largest_number_of_steps = 500; // of a walk, from cell to cell
-
-  using Terms = std::map<std::size_t, std::int64_t>; // coefficients of columns
 
   // In the chart of the cell at hand. Its start lies at `start`, moved along the mesh.
   struct Walk
@@ -89,21 +80,14 @@ private:
     int sign;
     Uvw start, at;
     std::array<bool, 3> is_start_fixed;
-    Terms level; // the coordinate of the start along the axis
+    Separation level; // the coordinate of the start along the axis
   };
 
   bool is_fixed(const Corner_index i, const std::size_t c) const
-  {
-    return m_members.term(m_members.member_of_corner(i), m_members.slot_of_corner(i), c).sign == 0;
-  }
+  { return m_members.term(i, c).sign == 0; }
 
-  void add(Terms& terms, const Corner_index i, const std::size_t c, const std::int64_t factor) const
-  {
-    const std::size_t column =
-      m_members.column(m_members.member_of_corner(i), m_members.slot_of_corner(i), c);
-    if((terms[column] += factor) == 0)
-      terms.erase(column);
-  }
+  void add(Separation& terms, const Corner_index i, const std::size_t c, const int factor) const
+  { terms.push_back({Column_index(m_members.column(i, c)), factor}); }
 
   void walk(const Corner_index i, const std::size_t c, const int sign)
   {
@@ -180,10 +164,11 @@ private:
         }
       if(is_beside)
         continue;
-      Terms terms;
-      for(const auto& [column, coefficient] : w.level)
-        terms[column] = -w.sign * coefficient;
+      Separation terms = w.level;
+      for(Entry<std::int64_t>& e : terms)
+        e.coefficient *= -w.sign;
       add(terms, j, w.axis, w.sign);
+      sort_and_sum(terms);
       if(!terms.empty())
         m_found.insert(std::move(terms));
     }
@@ -213,10 +198,11 @@ private:
         axis = c;
     }
     const int sign = Group::sign(g, axis);
-    for(auto& term : w.level)
-      term.second *= sign;
+    for(Entry<std::int64_t>& e : w.level)
+      e.coefficient *= sign;
     add(w.level, here, w.axis, -sign); // the translation
     add(w.level, there, axis, 1);
+    sort_and_sum(w.level);
     w.is_start_fixed = is_start_fixed;
     w.axis = axis;
     w.sign *= sign;
@@ -227,7 +213,7 @@ private:
   const Volume_members& m_members;
   std::vector<signed char> m_element; // per facet: to the other side; -1 where there is no cut
   double m_least_distance;
-  std::set<Terms> m_found;
+  std::set<Separation> m_found;
 };
 
 } // namespace internal

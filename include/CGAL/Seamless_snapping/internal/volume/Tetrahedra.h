@@ -284,8 +284,24 @@ inline std::optional<Refusal> find_opposite(const Tetrahedra& tetrahedra, const 
                        ", but not the other way round");
 }
 
-// Makes the cells of each component agree with most of them. A component that has no orientation
-// stays as it is listed.
+// Turns the cells of each component with the sign of the minority. A component that has no
+// orientation stays as it is listed.
+// \param components cells that agree have the same sign
+// \param vote(c) of a cell: 1, -1, or 0
+template <typename Vote>
+void turn_minorities(Signed_union_find& components, const Vote& vote, Tetrahedra& tetrahedra)
+{
+  std::vector<std::int32_t> surplus(components.size(), 0); // per root: of cells that agree with it
+  for(std::size_t c = 0; c < components.size(); ++c)
+    surplus[components.root(c)] += components.find(c).sign * vote(c);
+  for(std::size_t c = 0; c < components.size(); ++c) {
+    const auto [root, sign] = components.find(c);
+    if(!components.is_zero(root) && (surplus[root] < 0) == (sign > 0))
+      tetrahedra.turn(c);
+  }
+}
+
+// Makes the cells of each component agree with most of them.
 inline void turn_cells(Tetrahedra& tetrahedra)
 {
   Signed_union_find components(tetrahedra.number_of_cells());
@@ -296,14 +312,7 @@ inline void turn_cells(Tetrahedra& tetrahedra)
                        are_listed_alike(tetrahedra.vertices, facet, tetrahedra.opposite(facet))
                          ? -1 : 1);
     }
-  std::vector<std::int32_t> surplus(components.size(), 0); // per root: of cells that agree with it
-  for(std::size_t c = 0; c < components.size(); ++c)
-    surplus[components.root(c)] += components.find(c).sign;
-  for(std::size_t c = 0; c < components.size(); ++c) {
-    const auto [root, sign] = components.find(c);
-    if(!components.is_zero(root) && (surplus[root] < 0) == (sign > 0))
-      tetrahedra.turn(c);
-  }
+  turn_minorities(components, [](std::size_t) { return 1; }, tetrahedra);
 }
 
 // The neighbors by common vertices. Two cells with the same vertices are one that is there twice.

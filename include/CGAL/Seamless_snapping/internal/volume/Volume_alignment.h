@@ -39,6 +39,16 @@ struct Volume_alignment
   Message worst;           // where that is
 };
 
+// The coordinate that is not constant along an edge.
+inline int direction_of(const Flat_volume& volume, const Flat_volume::Aligned_edge& edge)
+{
+  if(edge.direction >= 0)
+    return edge.direction;
+  const Uvw d = vector_to(volume.uvw(edge.a), volume.uvw(edge.b));
+  return int(std::max_element(d.begin(), d.end(), [](const double x, const double y)
+                              { return std::abs(x) < std::abs(y); }) - d.begin());
+}
+
 // A facet that is thinner than the noise takes the coordinate of the facets around it, which lie in
 // the same plane unless there is a crease.
 class Facet_alignment_reader
@@ -156,16 +166,11 @@ private:
   void read_edges()
   {
     for(const Flat_volume::Aligned_edge& edge : m_volume.aligned_edges) {
-      const Uvw &a = m_volume.uvw(edge.a), &b = m_volume.uvw(edge.b);
-      Uvw s;
-      for(std::size_t c = 0; c < 3; ++c)
-        s[c] = std::abs(b[c] - a[c]);
-      m_result.direction.push_back(
-        edge.direction >= 0 ? edge.direction
-                            : int(std::max_element(s.begin(), s.end()) - s.begin()));
+      m_result.direction.push_back(direction_of(m_volume, edge));
       for(std::size_t c = 0; c < 3; ++c)
         if(int(c) != m_result.direction.back())
-          measure(s[c], [&] { return m_volume.name_of_edge(edge); });
+          measure(std::abs(m_volume.uvw(edge.b)[c] - m_volume.uvw(edge.a)[c]),
+                  [&] { return m_volume.name_of_edge(edge); });
     }
   }
 

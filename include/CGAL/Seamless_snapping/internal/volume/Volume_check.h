@@ -30,7 +30,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -224,25 +224,23 @@ inline double translation_distance(const Flat_volume& volume, const Corner_index
   return result;
 }
 
-// The distance of an aligned edge from an integer line.
-inline double line_distance(const Flat_volume& volume, const std::size_t i,
-                            const Volume_alignment& alignment, const std::vector<Uvw>& u)
+// The distance of an edge from an integer line of some direction.
+inline double line_distance(const Flat_volume::Aligned_edge& edge, const int direction,
+                            const std::vector<Uvw>& u)
 {
   double result = 0;
   for(std::size_t c = 0; c < 3; ++c)
-    if(int(c) != alignment.direction[i])
-      result = (std::max)(result, distance_to_integer(
-                                    u[std::size_t(volume.aligned_edges[i].a)][c]));
+    if(int(c) != direction)
+      result = (std::max)(result, distance_to_integer(u[std::size_t(edge.a)][c]));
   return result;
 }
 
-// Whether all but one of its coordinates are constant along an aligned edge.
-inline bool is_on_line(const Flat_volume& volume, const std::size_t i,
-                       const Volume_alignment& alignment)
+// Whether all but one of its coordinates are constant along an edge.
+inline bool is_on_line(const Flat_volume& volume, const Flat_volume::Aligned_edge& edge,
+                       const int direction)
 {
-  const Uvw &a = volume.uvw(volume.aligned_edges[i].a), &b = volume.uvw(volume.aligned_edges[i].b);
   for(std::size_t c = 0; c < 3; ++c)
-    if(int(c) != alignment.direction[i] && a[c] != b[c])
+    if(int(c) != direction && volume.uvw(edge.a)[c] != volume.uvw(edge.b)[c])
       return false;
   return true;
 }
@@ -267,8 +265,8 @@ inline void measure_distances(const Flat_volume& volume, const Volume_transition
          measure.number_of_noninteger_facets, measure.alignment_distance);
   }
   for(std::size_t i = 0; i < volume.aligned_edges.size(); ++i)
-    note(line_distance(volume, i, alignment, u), measure.number_of_noninteger_edges,
-         measure.alignment_distance);
+    note(line_distance(volume.aligned_edges[i], alignment.direction[i], u),
+         measure.number_of_noninteger_edges, measure.alignment_distance);
 }
 
 inline bool is_on_integers(const Flat_volume& volume, const Volume_transitions& transitions,
@@ -294,38 +292,28 @@ inline std::vector<Corner_index> corners_of_nodes(const Flat_volume& volume,
   return result;
 }
 
-// The singular edges, of a volume that does not list them as aligned.
 inline void measure_singular_edges(const Flat_volume& volume, const Volume_transitions& transitions,
                                    Volume_integer_grid_measure& measure)
 {
   const std::vector<Grid_edge> edges = Grid_edge_finder(volume, transitions).find();
-  Flat_volume edges_only = volume;
-  edges_only.aligned_facets.clear();
-  edges_only.aligned_edges.clear();
   measure.number_of_singular_edges = edges.size();
-  for(const Grid_edge& edge : edges)
-    if(!edge.is_skew)
-      edges_only.aligned_edges.push_back(edge.edge);
-  measure.number_of_noninteger_singular_edges = edges.size() - edges_only.aligned_edges.size();
-  const Volume_alignment alignment = Facet_alignment_reader(edges_only, transitions).read();
-  for(std::size_t i = 0; i < edges_only.aligned_edges.size(); ++i) {
-    const double distance = line_distance(edges_only, i, alignment, volume.coordinates);
+  for(const Grid_edge& edge : edges) {
+    const int direction = direction_of(volume, edge.edge);
+    const double distance =
+      edge.is_skew ? 0 : line_distance(edge.edge, direction, volume.coordinates);
     measure.number_of_noninteger_singular_edges +=
-      std::size_t(distance != 0 || !is_on_line(edges_only, i, alignment));
+      std::size_t(edge.is_skew || distance != 0 || !is_on_line(volume, edge.edge, direction));
     measure.alignment_distance = (std::max)(measure.alignment_distance, distance);
   }
-  std::vector<std::pair<std::int32_t, bool> > nodes; // and whether they are off the grid
-  for(const Corner_index corner : corners_of_nodes(volume, edges)) {
-    const Uvw& u = volume.uvw(corner);
-    nodes.emplace_back(volume.vertex(corner), std::any_of(u.begin(), u.end(), [](const double x)
-                                                          { return x != std::round(x); }));
-  }
-  std::sort(nodes.begin(), nodes.end(), std::greater<>());
-  for(std::size_t i = 0; i < nodes.size(); ++i)
-    if(i == 0 || nodes[i].first != nodes[i - 1].first) {
-      ++measure.number_of_nodes;
-      measure.number_of_noninteger_nodes += std::size_t(nodes[i].second);
+  std::map<std::int32_t, bool> is_off; // the grid, per vertex that is a node
+  for(const Corner_index corner : corners_of_nodes(volume, edges))
+    for(const double x : volume.uvw(corner)) {
+      bool& is_node_off = is_off[volume.vertex(corner)];
+      is_node_off = is_node_off || x != std::round(x);
     }
+  measure.number_of_nodes = is_off.size();
+  for(const auto& node : is_off)
+    measure.number_of_noninteger_nodes += std::size_t(node.second);
 }
 
 inline void measure_orientations(const Flat_volume& volume, Volume_integer_grid_measure& measure)

@@ -129,8 +129,8 @@ private:
     }
     for(const Sector_number s : part)
       m_slot[std::size_t(s)] = -1;
-    if(!m_charts.are_given()) // their grids differ
-      word.push_back(std::int32_t(m_charts.root(m_sectors.corners[part[0]].front())));
+    // grids of charts that are not joined differ
+    word.push_back(std::int32_t(m_charts.root(m_sectors.corners[part[0]].front())));
     return word;
   }
 
@@ -311,12 +311,6 @@ public:
     return m_member_of_sector[std::size_t(m_sectors.sector[std::size_t(i)])].first;
   }
 
-  // The sector of a corner among the sectors of its place.
-  std::size_t slot_of_corner(const Corner_index i) const
-  {
-    return m_member_of_sector[std::size_t(m_sectors.sector[std::size_t(i)])].second;
-  }
-
   Sector_number sector(const Member_index m, const std::size_t slot) const
   {
     return place(m).sector(m_member[m].second, slot);
@@ -361,6 +355,9 @@ public:
   std::size_t column(const Member_index m, const std::size_t slot, const std::size_t c) const
   { return 3 * (place(m).first_slot + slot) + c; }
 
+  std::size_t column(const Corner_index i, const std::size_t c) const
+  { return column(member_of_corner(i), slot_of_corner(i), c); }
+
   // How coordinate c of a sector moves.
   Term term(const Member_index m, const std::size_t slot, const std::size_t c) const
   {
@@ -374,7 +371,13 @@ public:
     return {unknown, Group::sign(f.rotation[slot], c) * f.sign[source]};
   }
 
+  Term term(const Corner_index i, const std::size_t c) const
+  { return term(member_of_corner(i), slot_of_corner(i), c); }
+
 private:
+  std::size_t slot_of_corner(const Corner_index i) const
+  { return m_member_of_sector[std::size_t(m_sectors.sector[std::size_t(i)])].second; }
+
   const Volume_sectors& m_sectors;
   const Volume_places& m_places;
   std::vector<std::pair<std::size_t, std::size_t> > m_member; // the place, and which of its members
@@ -382,6 +385,28 @@ private:
   std::vector<std::pair<Member_index, std::size_t> > m_member_of_sector; // and which slot
   std::vector<Place_freedom> m_freedoms;                      // per place
   std::size_t m_number_of_unknowns = 0;
+};
+
+// The constraints of a volume, computed from coordinates that meet them exactly, or nearly so. Its
+// parts refer to each other.
+struct Volume_structure
+{
+  Volume_transitions transitions;
+  Volume_alignment alignment;
+  Volume_sectors sectors;
+  Volume_charts charts; // charts of the input
+  Volume_places places;
+  Volume_members members;
+
+  explicit Volume_structure(const Flat_volume& volume)
+    : transitions(Facet_transition_reader(volume).read()),
+      alignment(Facet_alignment_reader(volume, transitions).read()),
+      sectors(Sector_builder(volume, transitions, alignment).build()),
+      charts(volume.number_of_cells()), places(Place_finder(sectors, charts).find()),
+      members(sectors, places)
+  { }
+  Volume_structure(const Volume_structure&) = delete;
+  Volume_structure& operator=(const Volume_structure&) = delete;
 };
 
 } // namespace internal

@@ -29,7 +29,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -49,9 +48,9 @@ class Volume_repair
 
 public:
   Volume_repair(const Flat_volume& input, const Volume_charts& charts,
-                const Volume_sectors& sectors, const Volume_places& places,
-                const Place_solver& solver, std::vector<Uvw>& coordinates)
-    : m_volume(input), m_charts(charts), m_sectors(sectors), m_places(places), m_solver(solver),
+                const Volume_members& members, const Place_solver& solver,
+                std::vector<Uvw>& coordinates)
+    : m_volume(input), m_charts(charts), m_members(members), m_solver(solver),
       m_coordinates(coordinates)
   {
     int exponent = 0;
@@ -73,13 +72,11 @@ public:
   // \param largest_change of a coordinate, against the input
   void run(const std::vector<std::size_t>& lost, const double largest_change)
   {
-    if(!m_members)
-      m_members.emplace(m_sectors, m_places);
     m_largest_change = largest_change;
     for(const std::size_t c : lost)
       for(std::size_t i = 4 * c; i < 4 * c + 4 && is_lost(c); ++i)
-        if(m_sectors.sector[i] >= 0)
-          improve(m_members->member_of_corner(Corner_index(i)));
+        if(m_volume.is_fixed[std::size_t(m_volume.vertices[i])] == 0)
+          improve(m_members.member_of_corner(Corner_index(i)));
   }
 
 private:
@@ -95,7 +92,7 @@ private:
   std::size_t number_of_lost_cells(const Member_index member) const
   {
     std::size_t result = 0;
-    m_members->for_each_corner(member, [&](std::size_t, const Corner_index i) {
+    m_members.for_each_corner(member, [&](std::size_t, const Corner_index i) {
       result += std::size_t(is_lost(std::size_t(i / 4)));
     });
     return result;
@@ -105,23 +102,23 @@ private:
   // and costs no other cell its orientation.
   void improve(const Member_index member)
   {
-    const Place& place = m_members->place(member);
+    const Place& place = m_members.place(member);
     std::size_t number_of_cells = 0;
-    m_members->for_each_corner(member, [&](std::size_t, Corner_index) { ++number_of_cells; });
+    m_members.for_each_corner(member, [&](std::size_t, Corner_index) { ++number_of_cells; });
     if(number_of_cells > largest_number_of_cells_at_moved_vertex)
       return;
-    const Place_freedom& freedom = m_members->freedom(member);
+    const Place_freedom& freedom = m_members.freedom(member);
     std::vector<std::size_t> directions;
     for(std::size_t c = 0; c < 3; ++c) // places without constraints also off the grid
       if(freedom.first[c] == int(c) &&
-         (!place.is_constrained() || m_solver.moves(3 * place.first_slot + c)))
+         (!place.is_constrained() || m_solver.moves(m_members.column(member, 0, c))))
         directions.push_back(c);
     if(directions.empty())
       return;
     for(const double part : {0.5, 0.1, 0.01}) {
       const Move move = proposed_move(member, freedom, directions, part);
       const std::size_t lost = number_of_lost_cells(member);
-      if(m_members->try_move(
+      if(m_members.try_move(
            member, m_coordinates,
            [&] { return apply(member, freedom, move) && number_of_lost_cells(member) < lost; },
            [&](const std::size_t c) { return !is_lost(c); }))
@@ -133,16 +130,15 @@ private:
   // is far from the input.
   bool apply(const Member_index member, const Place_freedom& freedom, const Move& move)
   {
-    const Place& place = m_members->place(member);
     bool is_good = true;
-    m_members->for_each_corner(member, [&](const std::size_t slot, const Corner_index corner) {
+    m_members.for_each_corner(member, [&](const std::size_t slot, const Corner_index corner) {
       const std::size_t i = std::size_t(corner);
       const Move turned = Group::apply(element(freedom, slot, i), move);
       for(std::size_t c = 0; c < 3; ++c) {
         if(turned[c] == 0)
           continue;
         const Grid& grid =
-          m_solver.grid(3 * (place.first_slot + slot) + m_charts.column(i, c));
+          m_solver.grid(m_members.column(member, slot, m_charts.column(i, c)));
         const std::int64_t x = grid.split(m_coordinates[i][c]).base + turned[c];
         is_good = is_good && grid.is_representable(x);
         if(is_good)
@@ -191,7 +187,7 @@ private:
     const Eigen::Index dimension = Eigen::Index(directions.size());
     std::vector<Eigen::VectorXd> rows;
     std::vector<double> wanted;
-    m_members->for_each_corner(member, [&](const std::size_t slot, const Corner_index corner) {
+    m_members.for_each_corner(member, [&](const std::size_t slot, const Corner_index corner) {
       const std::size_t i = std::size_t(corner);
       const double before = volume(m_volume.coordinates, i / 4);
       if(before < 0) // has nothing to lose
@@ -223,7 +219,7 @@ private:
                                                        m_multiplications));
     for(Eigen::Index d = 0; d < dimension; ++d) {
       const std::size_t first = directions[std::size_t(d)];
-      const double steps = m_solver.grid(3 * m_members->place(member).first_slot + first)
+      const double steps = m_solver.grid(m_members.column(member, 0, first))
                              .in_steps(y[d] / m_scale);
       if(!(std::abs(steps) < machine_integer_bound / 4))
         return Move{};
@@ -236,12 +232,10 @@ private:
 
   const Flat_volume& m_volume;
   const Volume_charts& m_charts;
-  const Volume_sectors& m_sectors;
-  const Volume_places& m_places;
+  const Volume_members& m_members;
   const Place_solver& m_solver;
   double m_largest_change = 0;
   std::vector<Uvw>& m_coordinates; // per corner
-  std::optional<Volume_members> m_members; // where some cell was lost
   double m_scale = 1;
   double m_multiplications = 1e9; // that programs may still take
 };

@@ -52,28 +52,26 @@ class Volume_chart_mover
   using Group = Cube_rotations;
 
 public:
-  Volume_chart_mover(const Flat_volume& volume, const Volume_transitions& transitions,
-                     const Volume_alignment& alignment, const Volume_members& members)
-    : m_volume(volume), m_alignment(alignment), m_members(members),
-      m_element(elements_of_facets(volume, transitions, true, -1)),
-      m_is_reached(volume.number_of_cells(), 0), m_rotation(volume.number_of_cells()),
-      m_shift(volume.number_of_cells()), m_origin(volume.number_of_cells()),
-      m_component(volume.number_of_cells())
+  Volume_chart_mover(const Flat_volume& volume, const Volume_structure& structure)
+    : m_volume(volume), m_alignment(structure.alignment), m_members(structure.members),
+      m_element(elements_of_facets(volume, structure.transitions, true, -1)),
+      m_chart_of_cell(volume.number_of_cells(), -1)
   { }
 
   // The coordinates of all corners, moved.
   std::vector<Uvw> run()
   {
-    for(std::size_t c = 0; c < m_is_reached.size(); ++c)
-      if(m_is_reached[c] == 0)
+    for(std::size_t c = 0; c < m_chart_of_cell.size(); ++c)
+      if(m_chart_of_cell[c] < 0)
         reach_component(c);
     set_origins();
     const std::vector<Uvw> common = common_shifts();
     std::vector<Uvw> result = m_volume.coordinates;
     for(std::size_t i = 0; i < result.size(); ++i) {
-      const Uvw by = Group::apply(m_rotation[i / 4], common[m_component[i / 4]]);
+      const Chart& chart = this->chart(i);
+      const Uvw by = Group::apply(chart.rotation, common[chart.component]);
       for(std::size_t c = 0; c < 3; ++c)
-        result[i][c] += m_shift[i / 4][c] + by[c];
+        result[i][c] += chart.shift[c] + by[c];
     }
     return result;
   }
@@ -82,76 +80,82 @@ public:
   const Chart_ties& ties() const { return m_ties; }
 
 private:
+  struct Chart
+  {
+    int rotation; // from the first chart of its component
+    Uvw shift;
+    Uvw origin; // the origin of the first chart, in the moved chart
+    std::size_t component;
+  };
+
+  const Chart& chart(const std::size_t corner) const
+  { return m_charts[std::size_t(m_chart_of_cell[corner / 4])]; }
+
   // Cells of a chart before cells beyond its cuts, so that they get the same shift.
   void reach_component(const std::size_t root)
   {
     std::vector<Corner_index> cuts; // reached, as the cell on this side sees them
-    reach_chart(root, Group::identity(), Uvw(), Uvw(), cuts);
+    reach_chart(root, {Group::identity(), {}, {}, m_number_of_components}, cuts);
     for(std::size_t i = 0; i < cuts.size(); ++i) {
       const Corner_index facet = cuts[i], there = m_volume.opposite[std::size_t(facet)];
-      if(m_is_reached[std::size_t(there / 4)] != 0)
+      if(m_chart_of_cell[std::size_t(there / 4)] >= 0)
         continue;
       const int g = m_element[std::size_t(facet)];
       const Corner_index corner = corners_of_facet(facet)[0];
-      const std::size_t here = std::size_t(facet / 4);
-      Uvw u = m_volume.uvw(corner), shift, origin = Group::apply(g, m_origin[here]);
+      const Chart& here = chart(std::size_t(facet));
+      Chart next{Group::compose(g, here.rotation), {}, Group::apply(g, here.origin),
+                 m_number_of_components};
+      Uvw u = m_volume.uvw(corner);
       for(std::size_t c = 0; c < 3; ++c)
-        u[c] += m_shift[here][c];
+        u[c] += here.shift[c];
       u = Group::apply(g, u);
       for(std::size_t c = 0; c < 3; ++c) {
         const double t = m_volume.uvw(m_volume.across(facet, corner))[c] - u[c];
-        shift[c] = std::round(t) - t;
-        origin[c] += std::round(t);
+        next.shift[c] = std::round(t) - t;
+        next.origin[c] += std::round(t);
       }
       add_ties(facet, g);
-      reach_chart(std::size_t(there / 4), Group::compose(g, m_rotation[here]), shift, origin, cuts);
+      reach_chart(std::size_t(there / 4), next, cuts);
     }
     ++m_number_of_components;
   }
-
-  std::size_t column(const Corner_index i, const std::size_t c) const
-  { return m_members.column(m_members.member_of_corner(i), m_members.slot_of_corner(i), c); }
 
   void add_ties(const Corner_index facet, const int g)
   {
     for(const Corner_index here : corners_of_facet(facet))
       for(std::size_t c = 0; c < 3; ++c)
-        m_ties.ties.push_back({column(m_volume.across(facet, here), c),
-                               column(here, Group::source(g, c)), Group::sign(g, c)});
+        m_ties.ties.push_back({m_members.column(m_volume.across(facet, here), c),
+                               m_members.column(here, Group::source(g, c)), Group::sign(g, c)});
   }
 
   void set_origins()
   {
     for(std::size_t i = 0; i < m_volume.vertices.size(); ++i)
       for(std::size_t c = 0; c < 3; ++c) {
-        const std::size_t j = column(Corner_index(i), c);
+        const std::size_t j = m_members.column(Corner_index(i), c);
         m_ties.origin.resize((std::max)(m_ties.origin.size(), j + 1), 0);
-        m_ties.origin[j] = std::int64_t(m_origin[i / 4][c]);
+        m_ties.origin[j] = std::int64_t(chart(i).origin[c]);
       }
   }
 
-  void reach_chart(const std::size_t first, const int rotation, const Uvw& shift,
-                   const Uvw& origin, std::vector<Corner_index>& cuts)
+  void reach_chart(const std::size_t first, const Chart& chart, std::vector<Corner_index>& cuts)
   {
+    const auto number = std::int32_t(m_charts.size());
+    m_charts.push_back(chart);
     std::vector<std::size_t> cells(1, first);
-    m_is_reached[first] = 1;
-    for(std::size_t i = 0; i < cells.size(); ++i) {
-      m_rotation[cells[i]] = rotation;
-      m_shift[cells[i]] = shift;
-      m_origin[cells[i]] = origin;
-      m_component[cells[i]] = m_number_of_components;
+    m_chart_of_cell[first] = number;
+    for(std::size_t i = 0; i < cells.size(); ++i)
       for(std::size_t facet = 4 * cells[i]; facet < 4 * cells[i] + 4; ++facet) {
         const Corner_index other = m_volume.opposite[facet];
         if(other < 0)
           continue;
         if(m_element[facet] >= 0) {
           cuts.push_back(Corner_index(facet));
-        } else if(m_is_reached[std::size_t(other / 4)] == 0) {
-          m_is_reached[std::size_t(other / 4)] = 1;
+        } else if(std::int32_t& n = m_chart_of_cell[std::size_t(other / 4)]; n < 0) {
+          n = number;
           cells.push_back(std::size_t(other / 4));
         }
       }
-    }
   }
 
   // Per component, in the chart of its first cell.
@@ -160,18 +164,18 @@ private:
     constexpr double turn = 2 * 3.14159265358979323846;
     using Phase = std::complex<double>;
     std::vector<std::array<Phase, 3> > sums(m_number_of_components);
-    const auto add = [&](const Corner_index corner, const int c) {
-      const std::size_t cell = std::size_t(corner / 4);
-      const double level = m_volume.uvw(corner)[std::size_t(c)] + m_shift[cell][std::size_t(c)];
-      const int g = m_rotation[cell];
-      sums[m_component[cell]][Group::source(g, std::size_t(c))] +=
-        std::polar(1., Group::sign(g, std::size_t(c)) * turn * (level - std::round(level)));
+    const auto add = [&](const Corner_index corner, const std::size_t c) {
+      const Chart& chart = this->chart(std::size_t(corner));
+      const double level = m_volume.uvw(corner)[c] + chart.shift[c];
+      const int g = chart.rotation;
+      sums[chart.component][Group::source(g, c)] +=
+        std::polar(1., Group::sign(g, c) * turn * (level - std::round(level)));
     };
     for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i)
-      add(corners_of_facet(m_volume.aligned_facets[i])[0], m_alignment.coordinate[i]);
+      add(corners_of_facet(m_volume.aligned_facets[i])[0], std::size_t(m_alignment.coordinate[i]));
     for(std::size_t i = 0; i < m_volume.aligned_edges.size(); ++i)
-      for(int c = 0; c < 3; ++c)
-        if(c != m_alignment.direction[i])
+      for(std::size_t c = 0; c < 3; ++c)
+        if(int(c) != m_alignment.direction[i])
           add(m_volume.aligned_edges[i].a, c);
     std::vector<Uvw> result(m_number_of_components);
     for(std::size_t k = 0; k < result.size(); ++k)
@@ -184,38 +188,14 @@ private:
   const Volume_alignment& m_alignment;
   const Volume_members& m_members;
   Chart_ties m_ties;
-  std::vector<signed char> m_element;   // per facet: to the other side; -1 where there is no cut
-  std::vector<char> m_is_reached;       // per cell
-  std::vector<int> m_rotation;          // per cell: from the first chart of its component
-  std::vector<Uvw> m_shift;             // per cell: the same for all of a chart
-  std::vector<Uvw> m_origin;            // per cell: of the first chart, in the moved chart
-  std::vector<std::size_t> m_component; // per cell
+  std::vector<signed char> m_element; // per facet: to the other side; -1 where there is no cut
+  std::vector<std::int32_t> m_chart_of_cell; // -1 while it is not reached
+  std::vector<Chart> m_charts;
   std::size_t m_number_of_components = 0;
 };
 
 // Below, each vertex takes the nearest place, and charts stay where they are.
 constexpr double negligible_volume_rounding = 1e-4;
-
-// The constraints of a volume, computed from coordinates that meet them exactly, or nearly so. Its
-// parts refer to each other.
-struct Volume_structure
-{
-  Volume_transitions transitions;
-  Volume_alignment alignment;
-  Volume_sectors sectors;
-  Volume_charts charts; // charts of the input
-  Volume_places places;
-  Volume_members members;
-
-  explicit Volume_structure(const Flat_volume& volume)
-    : transitions(Facet_transition_reader(volume).read()),
-      alignment(Facet_alignment_reader(volume, transitions).read()),
-      sectors(Sector_builder(volume, transitions, alignment).build()),
-      places(Place_finder(sectors, charts).find()), members(sectors, places)
-  { }
-  Volume_structure(const Volume_structure&) = delete;
-  Volume_structure& operator=(const Volume_structure&) = delete;
-};
 
 // Adds the edges that an integer-grid map has on integer lines to the edges that are to be aligned.
 // A refusal names what no integer grid fits.
@@ -247,7 +227,7 @@ public:
     : m_volume(volume), m_structure(structure), m_members(structure.members),
       m_tolerance(tolerance), m_rounding_tolerance(rounding_tolerance), m_format(format),
       m_report(report), m_timer(timer),
-      m_integers(structure.sectors, structure.places, structure.members, format)
+      m_integers(structure, format)
   { }
 
   // Moves the coordinates of all corners where they have to. Returns why that fails, if so.
@@ -273,27 +253,27 @@ public:
     if(!m_integers.solve(u, separations, {}))
       return not_representable();
     auto worst = largest_rounding(u);
-    std::optional<Rounding_displacement> displacement = displacement_of(u);
+    Rounding_displacement displacement(m_structure, m_integers, u);
     const bool is_far = worst.first > negligible_volume_rounding;
     if(is_far) {
       const std::size_t joined = m_integers.number_of_joined();
-      Volume_chart_mover mover(m_volume, transitions, alignment, m_members);
+      Volume_chart_mover mover(m_volume, m_structure);
       std::vector<Uvw> moved = u;
       if(m_rounding_tolerance > 0)
         moved = mover.run();
       if(!m_integers.solve(moved, separations, mover.ties()))
         return not_representable();
       const auto worst_of_moved = largest_rounding(moved);
-      std::optional<Rounding_displacement> of_moved = displacement_of(moved);
+      Rounding_displacement of_moved(m_structure, m_integers, moved);
       const bool is_moved_near = worst_of_moved.first <= negligible_volume_rounding;
       if(!is_moved_near) {
-        displacement->spread();
-        of_moved->spread();
+        displacement.spread();
+        of_moved.spread();
       }
       if(is_moved_near ||
-         std::make_pair(m_integers.number_of_joined(), of_moved->energy()) <
-           std::make_pair(joined, displacement->energy())) {
-        displacement.emplace(std::move(*of_moved));
+         std::make_pair(m_integers.number_of_joined(), of_moved.energy()) <
+           std::make_pair(joined, displacement.energy())) {
+        displacement = std::move(of_moved);
         worst = worst_of_moved;
       } else {
         m_integers.solve(u, separations, {}); // as before
@@ -309,7 +289,7 @@ public:
                        short_number(m_rounding_tolerance) +
                        remedy("raise it to at least this distance, or scale the map up by "
                               "grid_scale"));
-    if(!expand(*displacement, is_far, rounded))
+    if(!expand(displacement, is_far, rounded))
       return not_representable();
     if(!is_exact(m_volume, transitions, alignment, rounded) ||
        !is_on_integers(m_volume, transitions, alignment, rounded))
@@ -321,11 +301,6 @@ public:
   }
 
 private:
-  Rounding_displacement displacement_of(const std::vector<Uvw>& u) const
-  {
-    return Rounding_displacement(m_structure.sectors, m_members, m_integers, u);
-  }
-
   Refusal not_representable() const
   {
     return {Outcome::NOT_REPRESENTABLE,
@@ -413,7 +388,7 @@ private:
       for(std::size_t c = 0; c < 3; ++c) {
         const double integer = static_cast<double>(m_integers(Corner_index(i), c));
         largest = (std::max)({largest, std::abs(integer),
-                              std::abs(integer + move(term(Corner_index(i), c)))});
+                              std::abs(integer + move(m_members.term(Corner_index(i), c)))});
       }
     const Grid grid = Grid::finest(m_format, largest);
     if(grid.exponent() > 0)
@@ -425,7 +400,7 @@ private:
          !m_members.place(m_members.member_of_corner(Corner_index(i))).is_constrained())
         continue;
       for(std::size_t c = 0; c < 3; ++c) {
-        const Volume_members::Term t = term(Corner_index(i), c);
+        const Volume_members::Term t = m_members.term(Corner_index(i), c);
         std::int64_t x = unit * m_integers(Corner_index(i), c);
         if(t.sign != 0)
           x += t.sign * nearest_integer(grid.in_steps(displacement.moves()[t.unknown]));
@@ -436,11 +411,6 @@ private:
       }
     }
     return true;
-  }
-
-  Volume_members::Term term(const Corner_index i, const std::size_t c) const
-  {
-    return m_members.term(m_members.member_of_corner(i), m_members.slot_of_corner(i), c);
   }
 
   const Flat_volume& m_volume;

@@ -48,14 +48,9 @@ struct Sector_arc
   Sector_number plus, minus;
   Sheet_number sheet;
 
-  friend bool operator<(const Sector_arc& a, const Sector_arc& b)
-  {
-    return std::tie(a.plus, a.minus, a.sheet) < std::tie(b.plus, b.minus, b.sheet);
-  }
-  friend bool operator==(const Sector_arc& a, const Sector_arc& b)
-  {
-    return std::tie(a.plus, a.minus, a.sheet) == std::tie(b.plus, b.minus, b.sheet);
-  }
+  auto key() const { return std::tie(plus, minus, sheet); }
+  friend bool operator<(const Sector_arc& a, const Sector_arc& b) { return a.key() < b.key(); }
+  friend bool operator==(const Sector_arc& a, const Sector_arc& b) { return a.key() == b.key(); }
 };
 
 // A coordinate of a sector has a level.

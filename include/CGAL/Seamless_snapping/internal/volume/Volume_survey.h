@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -42,23 +43,18 @@ Uvw get_uvw(const CornerUVWMap& uvw_map, const std::size_t corner)
   return {static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z())};
 }
 
-// The features: vertices of facets and edges, each in ascending order; without duplicates.
+template <std::size_t size>
+std::array<std::int64_t, size> sorted(std::array<std::int64_t, size> vertices)
+{
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+// The features: vertices of facets and edges, each in ascending order.
 struct Volume_features
 {
-  std::vector<std::array<std::int64_t, 3> > facets;
-  std::vector<std::array<std::int64_t, 2> > edges;
-
-  void sort()
-  {
-    const auto sort_all = [](auto& elements) {
-      for(auto& element : elements)
-        std::sort(element.begin(), element.end());
-      std::sort(elements.begin(), elements.end());
-      elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
-    };
-    sort_all(facets);
-    sort_all(edges);
-  }
+  std::set<std::array<std::int64_t, 3> > facets;
+  std::set<std::array<std::int64_t, 2> > edges;
 };
 
 // Differences of larger ones overflow, or their determinants do.
@@ -98,22 +94,15 @@ private:
   {
     if(auto refusal = find_split_vertices())
       return refusal;
-    // A wrong neighbor would hide a facet of the boundary. The loop looks at all given neighbors of
-    // larger number; if as many have a smaller number, each is the other side of one of them.
-    const bool are_given = m_tetrahedra.has_given_neighbors;
-    std::ptrdiff_t balance = 0;
     for(std::size_t c = 0; c < m_tetrahedra.number_of_cells(); ++c) {
       const bool may_differ = is_at_vertex(c, m_is_split);
       for(Corner_index facet = Corner_index(4 * c); facet < Corner_index(4 * c + 4); ++facet) {
-        const std::int32_t d = m_tetrahedra.neighbors[std::size_t(facet)];
-        if(d < 0) {
+        if(m_tetrahedra.neighbors[std::size_t(facet)] < 0) {
           if(align_boundary)
             add(facet, m_aligned_facets);
           continue;
         }
-        const bool is_larger = std::size_t(d) > c;
-        balance += is_larger ? 1 : -1;
-        if(!may_differ && !(are_given && is_larger))
+        if(!may_differ && !m_tetrahedra.has_given_neighbors) // a wrong one would hide a boundary
           continue;
         Corner_index other;
         if(auto refusal = find_opposite(m_tetrahedra, facet, other))
@@ -122,15 +111,6 @@ private:
           add(facet, m_open_facets);
       }
     }
-    return balance == 0 ? std::nullopt : find_wrong_neighbor();
-  }
-
-  std::optional<Refusal> find_wrong_neighbor() const
-  {
-    for(std::size_t f = 0; f < m_tetrahedra.neighbors.size(); ++f)
-      if(Corner_index other; m_tetrahedra.neighbors[f] >= 0)
-        if(auto refusal = find_opposite(m_tetrahedra, Corner_index(f), other))
-          return refusal;
     return std::nullopt;
   }
 
@@ -209,20 +189,21 @@ private:
   {
     if(features.facets.empty() && features.edges.empty())
       return std::nullopt;
-    std::vector<char> is_feature(m_tetrahedra.number_of_vertices, 0), is_found;
+    std::vector<char> is_feature(m_tetrahedra.number_of_vertices, 0);
     note_vertices(features.facets, is_feature);
     note_vertices(features.edges, is_feature);
-    is_found.assign(features.facets.size() + features.edges.size(), 0);
+    Volume_features missing = features;
     for(std::size_t c = 0; c < m_tetrahedra.number_of_cells(); ++c) {
       int count = 0;
       for(std::size_t i = 4 * c; i < 4 * c + 4; ++i)
         count += is_feature[std::size_t(m_tetrahedra.vertices[i])];
       if(count >= 2)
-        find_features_of_cell(Corner_index(4 * c), features, is_found);
+        find_features_of_cell(Corner_index(4 * c), missing);
     }
-    for(std::size_t i = 0; i < is_found.size(); ++i)
-      if(is_found[i] == 0)
-        return refusal(features, i);
+    if(!missing.facets.empty())
+      return refusal("facet", *missing.facets.begin());
+    if(!missing.edges.empty())
+      return refusal("edge", *missing.edges.begin());
     return std::nullopt;
   }
 
@@ -235,31 +216,18 @@ private:
           is_feature[std::size_t(v)] = 1;
   }
 
-  void find_features_of_cell(const Corner_index first, const Volume_features& features,
-                             std::vector<char>& is_found)
+  void find_features_of_cell(const Corner_index first, Volume_features& missing)
   {
     for(Corner_index i = first; i < first + 4; ++i) {
-      std::array<std::int64_t, 3> facet;
-      for(std::size_t k = 0; k < 3; ++k)
-        facet[k] = name(corners_of_facet(i)[k]);
-      std::sort(facet.begin(), facet.end());
-      const std::size_t place = place_of(features.facets, facet);
-      if(place < features.facets.size() && is_found[place] == 0) {
-        is_found[place] = 1;
+      const auto f = corners_of_facet(i);
+      if(missing.facets.erase(sorted<3>({name(f[0]), name(f[1]), name(f[2])})) > 0)
         add_aligned_facet(i);
-      }
-      for(Corner_index j = first; j < i; ++j) {
-        std::array<std::int64_t, 2> edge{{name(i), name(j)}};
-        std::sort(edge.begin(), edge.end());
-        const std::size_t edge_place = place_of(features.edges, edge);
-        if(edge_place == features.edges.size() ||
-           is_found[features.facets.size() + edge_place] != 0)
-          continue;
-        is_found[features.facets.size() + edge_place] = 1;
-        m_aligned_edges.push_back({i, j});
-        for(const Corner_index corner : {i, j})
-          m_is_marked[std::size_t(vertex(corner))] = 1;
-      }
+      for(Corner_index j = first; j < i; ++j)
+        if(missing.edges.erase(sorted<2>({name(i), name(j)})) > 0) {
+          m_aligned_edges.push_back({i, j});
+          for(const Corner_index corner : {i, j})
+            m_is_marked[std::size_t(vertex(corner))] = 1;
+        }
     }
   }
 
@@ -271,26 +239,11 @@ private:
     mark(facet);
   }
 
-  template <typename Elements>
-  static std::size_t place_of(const Elements& elements,
-                              const typename Elements::value_type& element)
+  template <std::size_t size>
+  static Refusal refusal(const char* const what, const std::array<std::int64_t, size>& element)
   {
-    const auto found = std::lower_bound(elements.begin(), elements.end(), element);
-    return found != elements.end() && *found == element
-      ? std::size_t(found - elements.begin()) : elements.size();
-  }
-
-  static Refusal refusal(const Volume_features& features, const std::size_t i)
-  {
-    const bool is_facet = i < features.facets.size();
-    std::vector<std::int64_t> names;
-    if(is_facet)
-      names.assign(features.facets[i].begin(), features.facets[i].end());
-    else
-      names.assign(features.edges[i - features.facets.size()].begin(),
-                   features.edges[i - features.facets.size()].end());
     return {Outcome::INVALID_ARGUMENT,
-            "feature " + name_of(is_facet ? "facet" : "edge", names) +
+            "feature " + name_of(what, {element.begin(), element.end()}) +
               " is in no cell; correct the features, or leave them out", {}};
   }
 
@@ -390,12 +343,7 @@ void turn_negative_components(const CornerUVWMap& uvw_map, Tetrahedra& tetrahedr
   for(std::size_t f = 0; f < tetrahedra.neighbors.size(); ++f)
     if(tetrahedra.neighbors[f] >= 0)
       components.unite(f / 4, std::size_t(tetrahedra.neighbors[f]));
-  std::vector<std::int32_t> surplus(size, 0); // per root: of positive cells
-  for(std::size_t c = 0; c < size; ++c)
-    surplus[components.root(c)] += sign[c];
-  for(std::size_t c = 0; c < size; ++c)
-    if(surplus[components.root(c)] < 0)
-      tetrahedra.turn(c);
+  turn_minorities(components, [&](const std::size_t c) { return sign[c]; }, tetrahedra);
 }
 
 // Separate, as by then what the survey needs can be gone.

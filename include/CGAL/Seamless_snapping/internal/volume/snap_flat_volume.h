@@ -53,6 +53,7 @@ inline void fill_in_changes(const Volume_sectors& sectors, const std::vector<Uvw
       for(std::size_t c = 0; c < 3; ++c)
         changes.add(after[std::size_t(i)][c] - before[std::size_t(i)][c],
                     1. / static_cast<double>(sectors.corners[s].size()));
+  report.largest_change = changes.largest();
   report.mean_change = changes.mean();
   report.rms_change = changes.root_mean_square();
 }
@@ -86,22 +87,24 @@ public:
       return std::nullopt;
     m_timer.finish("verification of the input");
 
-    Joined_charts joined;
+    Joined_charts joined{Volume_charts(m_volume.number_of_cells()), {}, {}};
     const bool is_joined = Chart_joiner(m_volume, transitions).run(alignment, joined);
     m_timer.finish("charts");
     const Volume_sectors sectors =
-      is_joined ? Sector_builder(m_volume, joined.transitions, joined.alignment).build()
-                : Sector_builder(m_volume, transitions, alignment).build();
+      Sector_builder(m_volume, is_joined ? joined.transitions : transitions,
+                     is_joined ? joined.alignment : alignment).build();
     m_timer.finish("sectors");
     if(is_joined)
       Chart_fitter(m_volume, sectors, joined.charts).run(m_report.violation_before, m_format);
     m_timer.finish("fitting of charts");
     const Volume_places places = Place_finder(sectors, joined.charts).find();
+    const Volume_members members(sectors, places);
     fill_in(sectors, places);
     m_timer.finish("places");
-    Place_solver solver(m_volume, joined.charts, sectors, places,
-                        inexact_columns(is_inexact, joined.charts, sectors, places), m_format);
-    std::vector<char>().swap(is_inexact); // needed no more, and large
+    is_inexact = inexact_columns(is_inexact, joined.charts, members, 3 * places.number_of_slots);
+    if(is_joined)
+      spread_over_joined_charts(joined.charts, sectors, members, is_inexact);
+    Place_solver solver(m_volume, joined.charts, sectors, places, members, is_inexact, m_format);
     m_report.linear_solver = solver.linear_solver().figures();
     m_report.grid_step = solver.coarsest_step();
     m_timer.finish("elimination");
@@ -111,7 +114,7 @@ public:
                      remedy("scale the map down"));
     m_timer.finish("solution");
 
-    const Largest_change change = repair(joined.charts, sectors, places, solver, snapped);
+    const Largest_change change = repair(joined.charts, members, solver, snapped);
     m_timer.finish("orientation");
     if(change.size > largest_plausible_change())
       return collapsed(change);
@@ -119,7 +122,6 @@ public:
       return Refusal(Outcome::INTERNAL_ERROR,
                      "the result failed its exact verification and was discarded; please report "
                      "this");
-    m_report.largest_change = change.size;
     fill_in_changes(sectors, m_volume.coordinates, snapped, m_report);
     m_timer.finish("verification");
     m_report.status = Outcome::SNAPPED;
@@ -169,11 +171,10 @@ private:
               term(", or, for facets of the boundary, pass align_boundary(false)"), {}};
   }
 
-  Largest_change repair(const Volume_charts& charts, const Volume_sectors& sectors,
-                        const Volume_places& places, const Place_solver& solver,
-                        std::vector<Uvw>& snapped)
+  Largest_change repair(const Volume_charts& charts, const Volume_members& members,
+                        const Place_solver& solver, std::vector<Uvw>& snapped)
   {
-    Volume_repair repair(m_volume, charts, sectors, places, solver, snapped);
+    Volume_repair repair(m_volume, charts, members, solver, snapped);
     std::vector<std::size_t> lost = repair.lost_cells();
     m_report.run.number_of_lost_faces = lost.size();
     Largest_change change = largest_change(snapped);
@@ -243,37 +244,33 @@ private:
   }
 
   // Whether a column is inexact, per coordinate of a slot.
-  std::vector<char> inexact_columns(const std::vector<char>& is_inexact,
-                                    const Volume_charts& charts, const Volume_sectors& sectors,
-                                    const Volume_places& places) const
+  static std::vector<char> inexact_columns(const std::vector<char>& is_inexact,
+                                           const Volume_charts& charts,
+                                           const Volume_members& members, const std::size_t size)
   {
-    std::vector<std::size_t> slot(sectors.number_of_sectors());
-    for(const Volume_places::Place& place : places.places)
-      for(std::size_t i = 0; i < place.members.size(); ++i)
-        slot[std::size_t(place.members[i])] = place.first_slot + i % place.number_of_slots;
-    std::vector<char> result(3 * places.number_of_slots, 0);
+    std::vector<char> result(size, 0);
     for(std::size_t j = 0; j < is_inexact.size(); ++j)
       if(is_inexact[j] != 0)
-        result[3 * slot[std::size_t(sectors.sector[j / 3])] + charts.column(j / 3, j % 3)] = 1;
-    if(!charts.are_given())
-      spread_over_joined_charts(charts, sectors, slot, result);
+        result[members.column(Corner_index(j / 3), charts.column(j / 3, j % 3))] = 1;
     return result;
   }
 
   // If charts have moved relative to each other, all of their coordinates are on a grid.
-  void spread_over_joined_charts(const Volume_charts& charts, const Volume_sectors& sectors,
-                                 const std::vector<std::size_t>& slot,
-                                 std::vector<char>& is_inexact) const
+  static void spread_over_joined_charts(const Volume_charts& charts, const Volume_sectors& sectors,
+                                        const Volume_members& members,
+                                        std::vector<char>& is_inexact)
   {
     std::vector<char> is_root_inexact(charts.roots.size(), 0);
-    for(const bool is_second_pass : {false, true})
-      for(std::size_t s = 0; s < slot.size(); ++s) {
-        char& of_root = is_root_inexact[charts.root(sectors.corners[s].front())];
-        for(std::size_t j = 3 * slot[s]; j < 3 * slot[s] + 3; ++j)
-          if(is_second_pass)
-            is_inexact[j] = of_root;
-          else if(is_inexact[j] != 0)
+    for(int pass = 0; pass < 2; ++pass) // the last sector may be the first that is inexact
+      for(std::size_t s = 0; s < sectors.corners.size(); ++s) {
+        const Corner_index corner = sectors.corners[s].front();
+        char& of_root = is_root_inexact[charts.root(corner)];
+        for(std::size_t c = 0; c < 3; ++c) {
+          char& of_column = is_inexact[members.column(corner, c)];
+          if(of_column != 0)
             of_root = 1;
+          of_column = of_root;
+        }
       }
   }
 

@@ -29,9 +29,11 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,13 +44,13 @@ namespace internal {
 constexpr double default_volume_tolerance = 1e-4;
 
 // \param range ranges of vertices, such as triples; none, where the parameter is not given
-template <typename Range, typename Element>
+template <typename Range, std::size_t number>
 std::optional<Refusal> read_elements(const Range& range, const char* const name,
-                                     std::vector<Element>& elements)
+                                     std::set<std::array<std::int64_t, number> >& elements)
 {
   if constexpr(is_given<Range>)
     for(const auto& vertices : range) {
-      Element element;
+      std::array<std::int64_t, number> element;
       std::size_t size = 0;
       for(const auto v : vertices) {
         if(size < element.size())
@@ -58,7 +60,7 @@ std::optional<Refusal> read_elements(const Range& range, const char* const name,
       if(size != element.size())
         return invalid_cells(std::string(name) + ": an element has " + std::to_string(size) +
                              " vertices in place of " + std::to_string(element.size()));
-      elements.push_back(element);
+      elements.insert(sorted(element));
     }
   return std::nullopt;
 }
@@ -93,7 +95,6 @@ std::optional<Refusal> read_volume(const TetrahedronRange& range, const CornerUV
   if(refusal)
     return refusal;
   turn_negative_components(uvw_map, tetrahedra);
-  features.sort();
   if(cells == Cells_to_read::ALL) {
     further_vertices.clear();
     for(std::size_t v = 0; v < tetrahedra.number_of_vertices; ++v)

@@ -202,7 +202,6 @@ private:
   // All that came between does not count.
   void compare_with(const std::vector<Uvw>& input)
   {
-    m_report.largest_change = 0;
     m_report.run.number_of_repaired_flips = 0;
     const std::vector<Uvw>& u = m_volume.coordinates;
     for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c) {
@@ -211,10 +210,6 @@ private:
       if(!is_good)
         (was_good ? m_report.lost_faces : m_report.remaining_flips).push_back(c);
       m_report.run.number_of_repaired_flips += std::size_t(is_good && !was_good);
-      for(std::size_t i = 4 * c; i < 4 * c + 4; ++i)
-        for(std::size_t k = 0; k < 3; ++k)
-          m_report.largest_change = (std::max)(m_report.largest_change,
-                                               std::abs(u[i][k] - input[i][k]));
     }
     m_report.status = m_options.grid_scale == 1 && u == input ? Outcome::ALREADY_EXACT
                                                               : Outcome::SNAPPED;
