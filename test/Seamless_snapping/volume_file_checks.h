@@ -61,8 +61,8 @@ inline void test_rounding_of_fractions()
 {
   const auto nearest = [](const std::string& p, const std::string& q) {
     return Snapping::internal::nearest_double(
-      CGAL::Exact_rational(CGAL::Exact_rational(Snapping::internal::integer_of_digits(p)) /
-                           CGAL::Exact_rational(Snapping::internal::integer_of_digits(q))));
+      CGAL::Exact_rational(CGAL::Exact_rational(CGAL::Exact_integer(p)) /
+                           CGAL::Exact_rational(CGAL::Exact_integer(q))));
   };
   CHECK_EQUAL(nearest("9007199254740993", "1"), 9007199254740992.);
   CHECK_EQUAL(nearest("9007199254740995", "1"), 9007199254740996.);

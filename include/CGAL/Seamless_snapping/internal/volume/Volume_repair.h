@@ -185,8 +185,9 @@ private:
                      const std::vector<std::size_t>& directions, const double part)
   {
     const Eigen::Index dimension = Eigen::Index(directions.size());
-    std::vector<Eigen::VectorXd> rows;
-    std::vector<double> wanted;
+    Eigen::MatrixXd a(Eigen::Index(largest_number_of_cells_at_moved_vertex), dimension);
+    Eigen::VectorXd b(a.rows());
+    Eigen::Index n = 0;
     m_members.for_each_corner(member, [&](const std::size_t slot, const Corner_index corner) {
       const std::size_t i = std::size_t(corner);
       const double before = volume(m_volume.coordinates, i / 4);
@@ -200,18 +201,14 @@ private:
             row[d] += freedom.sign[c] * slope[c];
       const double length = row.norm();
       if(length > 0) {
-        rows.push_back(row / length);
-        wanted.push_back((part * before - volume(m_coordinates, i / 4)) / length);
+        a.row(n) = (row / length).transpose();
+        b[n++] = (part * before - volume(m_coordinates, i / 4)) / length;
       }
     });
-    Eigen::MatrixXd a(Eigen::Index(rows.size()), dimension);
-    Eigen::VectorXd b(a.rows());
-    for(Eigen::Index i = 0; i < a.rows(); ++i) {
-      a.row(i) = rows[std::size_t(i)].transpose();
-      b[i] = wanted[std::size_t(i)];
-    }
+    a.conservativeResize(n, Eigen::NoChange);
+    b.conservativeResize(n);
     Move move{};
-    const double unit = rows.empty() ? 0 : b.maxCoeff(); // brings multipliers near 1
+    const double unit = n == 0 ? 0 : b.maxCoeff(); // brings multipliers near 1
     if(!(unit > 0))
       return move;
     const Eigen::VectorXd y =

@@ -79,7 +79,7 @@ public:
       m_is_marked[std::size_t(m_tetrahedra.vertex_of_name(name))] = 1;
     if(auto refusal = find_facets(align_boundary))
       return refusal;
-    if(auto refusal = find_features(features))
+    if(auto refusal = find_features(features, align_boundary))
       return refusal;
     if(auto refusal = copy_cells(volume))
       return refusal;
@@ -125,7 +125,8 @@ private:
   void add(const Corner_index facet, std::vector<Corner_index>& facets)
   {
     facets.push_back(facet);
-    mark(facet);
+    for(const Corner_index corner : corners_of_facet(facet))
+      m_is_marked[std::size_t(vertex(corner))] = 1;
   }
 
   // Most vertices have one image, with which each corner is compared: that reads the map once, in
@@ -165,12 +166,6 @@ private:
     return true;
   }
 
-  void mark(const Corner_index facet)
-  {
-    for(const Corner_index corner : corners_of_facet(facet))
-      m_is_marked[std::size_t(vertex(corner))] = 1;
-  }
-
   bool are_identical(const Corner_index facet, const Corner_index other) const
   {
     const auto others = corners_of_facet(other);
@@ -185,7 +180,7 @@ private:
   }
 
   // A cell has a feature only if all its vertices belong to features.
-  std::optional<Refusal> find_features(const Volume_features& features)
+  std::optional<Refusal> find_features(const Volume_features& features, const bool aligns_boundary)
   {
     if(features.facets.empty() && features.edges.empty())
       return std::nullopt;
@@ -198,7 +193,7 @@ private:
       for(std::size_t i = 4 * c; i < 4 * c + 4; ++i)
         count += is_feature[std::size_t(m_tetrahedra.vertices[i])];
       if(count >= 2)
-        find_features_of_cell(Corner_index(4 * c), missing);
+        find_features_of_cell(Corner_index(4 * c), aligns_boundary, missing);
     }
     if(!missing.facets.empty())
       return refusal("facet", *missing.facets.begin());
@@ -216,12 +211,14 @@ private:
           is_feature[std::size_t(v)] = 1;
   }
 
-  void find_features_of_cell(const Corner_index first, Volume_features& missing)
+  void find_features_of_cell(const Corner_index first, const bool aligns_boundary,
+                             Volume_features& missing)
   {
     for(Corner_index i = first; i < first + 4; ++i) {
       const auto f = corners_of_facet(i);
       if(missing.facets.erase(sorted<3>({name(f[0]), name(f[1]), name(f[2])})) > 0)
-        add_aligned_facet(i);
+        if(!aligns_boundary || m_tetrahedra.neighbors[std::size_t(i)] >= 0) // else it is there
+          add(i, m_aligned_facets);
       for(Corner_index j = first; j < i; ++j)
         if(missing.edges.erase(sorted<2>({name(i), name(j)})) > 0) {
           m_aligned_edges.push_back({i, j});
@@ -229,14 +226,6 @@ private:
             m_is_marked[std::size_t(vertex(corner))] = 1;
         }
     }
-  }
-
-  // Adds a facet, unless it is one of an aligned border and there already.
-  void add_aligned_facet(const Corner_index facet)
-  {
-    if(!std::binary_search(m_aligned_facets.begin(), m_aligned_facets.end(), facet))
-      m_added_facets.push_back(facet);
-    mark(facet);
   }
 
   template <std::size_t size>
@@ -278,7 +267,6 @@ private:
         }
         volume.opposite.push_back(other);
       }
-    m_aligned_facets.insert(m_aligned_facets.end(), m_added_facets.begin(), m_added_facets.end());
     for(const Corner_index f : m_open_facets)
       volume.open_facets.push_back(moved(f, place));
     for(const Corner_index f : m_aligned_facets)
@@ -312,7 +300,7 @@ private:
   Uvw m_least, m_largest;
   std::vector<char> m_is_marked; // per vertex: some constraint concerns it
   std::vector<char> m_is_split;  // per vertex: its corners have several images
-  std::vector<Corner_index> m_open_facets, m_aligned_facets, m_added_facets;
+  std::vector<Corner_index> m_open_facets, m_aligned_facets;
   std::vector<Flat_volume::Aligned_edge> m_aligned_edges;
 };
 
