@@ -43,13 +43,6 @@ Uvw get_uvw(const CornerUVWMap& uvw_map, const std::size_t corner)
   return {static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z())};
 }
 
-template <std::size_t size>
-std::array<std::int64_t, size> sorted(std::array<std::int64_t, size> vertices)
-{
-  std::sort(vertices.begin(), vertices.end());
-  return vertices;
-}
-
 // The features: vertices of facets and edges, each in ascending order.
 struct Volume_features
 {
@@ -216,15 +209,19 @@ private:
   {
     for(Corner_index i = first; i < first + 4; ++i) {
       const auto f = corners_of_facet(i);
-      if(missing.facets.erase(sorted<3>({name(f[0]), name(f[1]), name(f[2])})) > 0)
-        if(!aligns_boundary || m_tetrahedra.neighbors[std::size_t(i)] >= 0) // else it is there
-          add(i, m_aligned_facets);
-      for(Corner_index j = first; j < i; ++j)
-        if(missing.edges.erase(sorted<2>({name(i), name(j)})) > 0) {
-          m_aligned_edges.push_back({i, j});
-          for(const Corner_index corner : {i, j})
-            m_is_marked[std::size_t(vertex(corner))] = 1;
-        }
+      std::array<std::int64_t, 3> facet{{name(f[0]), name(f[1]), name(f[2])}};
+      std::sort(facet.begin(), facet.end());
+      const bool is_there = aligns_boundary && m_tetrahedra.neighbors[std::size_t(i)] < 0;
+      if(missing.facets.erase(facet) > 0 && !is_there)
+        add(i, m_aligned_facets);
+      for(Corner_index j = first; j < i; ++j) {
+        const auto [low, high] = std::minmax({name(i), name(j)});
+        if(missing.edges.erase(std::array<std::int64_t, 2>{{low, high}}) == 0)
+          continue;
+        m_aligned_edges.push_back({i, j});
+        for(const Corner_index corner : {i, j})
+          m_is_marked[std::size_t(vertex(corner))] = 1;
+      }
     }
   }
 

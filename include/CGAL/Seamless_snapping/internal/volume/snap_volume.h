@@ -29,6 +29,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -60,7 +61,8 @@ std::optional<Refusal> read_elements(const Range& range, const char* const name,
       if(size != element.size())
         return invalid_cells(std::string(name) + ": an element has " + std::to_string(size) +
                              " vertices in place of " + std::to_string(element.size()));
-      elements.insert(sorted(element));
+      std::sort(element.begin(), element.end());
+      elements.insert(element);
     }
   return std::nullopt;
 }
