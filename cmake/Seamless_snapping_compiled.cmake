@@ -8,6 +8,7 @@ set(Isocurves_and_layouts_parts layouts)
 set(Quad_remeshing_parts quads)
 set(Hexahedral_meshing_parts hexahedra)
 set(linear Linear_snapping/internal/linear/Linear_solver
+  Linear_snapping/internal/linear/System_builder
   Linear_snapping/internal/linear/snap_values)
 set(surfaces Seamless_snapping/internal/complex/Free_unknowns
   Seamless_snapping/internal/mesh/estimate_seams

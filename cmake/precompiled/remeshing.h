@@ -21,10 +21,6 @@ using Features_of_map = std::decay_t<decltype(CGAL::Quad_remeshing::internal::st
   PREFIX template bool Cell_extractor<Quarter_turns>::find_cells<TAG>();
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_REMESHING(PREFIX)                                            \
-  PREFIX template parametrization::Parametrization_result                                          \
-  parametrization::parametrize<Parametrization_figures>(                                           \
-    parametrization::Triangle_surface&, const parametrization::Parametrization_options&,           \
-    const Number_format&, parametrization::Make_solver, Parametrization_figures&);                 \
   PREFIX template Quantization quantize_map(                                                       \
     const seamless_snapping_precompiled::Mesh&, const seamless_snapping_precompiled::Uv_map&,      \
     const seamless_snapping_precompiled::Features_of_map&, const Quantization_options&);           \

@@ -7,6 +7,7 @@
 #include "volume_checks.h"
 #include "volume_input_checks.h"
 
+#include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 #include <CGAL/Seamless_snapping/is_volume_seamless.h>
 
 #include <algorithm>

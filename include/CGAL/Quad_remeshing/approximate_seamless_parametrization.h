@@ -38,6 +38,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -270,6 +271,16 @@ void run(const TriangleMesh& tmesh, HalfedgeUVMap uv_map, const NamedParameters&
   write_result(numbering, surface, result, uv_map, report);
   write_transitions(tmesh, numbering, surface, result, np);
 }
+
+#define CGAL_QUAD_REMESHING_PARAMETRIZE(PREFIX)                                                    \
+  PREFIX template Parametrization_result parametrize(                                              \
+    Triangle_surface&, const Parametrization_options&, const Number_format&, Make_solver,          \
+    Parametrization_figures&);                                                                     \
+  PREFIX template std::unique_ptr<Sparse_solver> make_solver<Default_solver>();
+
+#ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
+CGAL_QUAD_REMESHING_PARAMETRIZE(extern)
+#endif
 
 } // namespace parametrization
 } // namespace internal

@@ -829,6 +829,12 @@ Remeshing_report smooth(const Marked_surface& input, const Quantization& quantiz
   return Quad_remesher(surface, options, quads, is_feature).run_on_quads(quantization);
 }
 
+#ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
+namespace parametrization {
+CGAL_QUAD_REMESHING_PARAMETRIZE()
+} // namespace parametrization
+#endif
+
 } // namespace internal
 } // namespace Quad_remeshing
 } // namespace CGAL

@@ -86,16 +86,7 @@ struct Arc_step
 class Refined_faces
 {
 public:
-  Refined_faces(const Chart_mesh& mesh, const Curve_set& curves, const Layout& layout)
-    : m_mesh(mesh), m_curves(curves), m_layout(layout), m_on_edges(add_points())
-  {
-    mark_inner_points();
-    add_edges();
-    for(Flat_face_index f = 0; f < mesh.number_of_faces(); ++f)
-      cut_face(f);
-    link_border();
-    m_is_covered = spread_patches();
-  }
+  Refined_faces(const Chart_mesh& mesh, const Curve_set& curves, const Layout& layout);
 
   // Whether all cells belong to a patch, as they must.
   bool is_covered() const { return m_is_covered; }

@@ -387,6 +387,19 @@ CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 void make_layout(Layout_input&& input, Layout_data& data)
 { Layout_maker(std::move(input), data).run(); }
 
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+Refined_faces::Refined_faces(const Chart_mesh& mesh, const Curve_set& curves,
+                             const Layout& layout)
+  : m_mesh(mesh), m_curves(curves), m_layout(layout), m_on_edges(add_points())
+{
+  mark_inner_points();
+  add_edges();
+  for(Flat_face_index f = 0; f < mesh.number_of_faces(); ++f)
+    cut_face(f);
+  link_border();
+  m_is_covered = spread_patches();
+}
+
 } // namespace internal
 } // namespace Isocurves_and_layouts
 } // namespace CGAL

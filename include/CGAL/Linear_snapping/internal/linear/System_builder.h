@@ -94,41 +94,14 @@ public:
   explicit System_builder(const std::size_t number_of_columns) : m_rows(number_of_columns) { }
 
   // With right-hand side 0. Entries of all rows may be in any order; equal columns add up.
-  void add_row(const Entries<std::int64_t>& entries)
-  {
-    if(!add_small_row(entries))
-      add_row(to_rationals(entries), Exact_rational(0));
-  }
+  void add_row(const Entries<std::int64_t>& entries);
 
-  void add_row(const Entries<std::int64_t>& entries, const Exact_rational& right_hand_side)
-  {
-    if(right_hand_side == 0)
-      add_row(entries);
-    else
-      add_row(to_rationals(entries), right_hand_side);
-  }
+  void add_row(const Entries<std::int64_t>& entries, const Exact_rational& right_hand_side);
 
-  void add_row(const Entries<Exact_rational>& entries, const Exact_rational& right_hand_side)
-  {
-    const Exact_integer multiple = least_common_denominator(entries, right_hand_side);
-    Waiting_row row{m_rows.number_of_rows(), {}, 0};
-    for(const Entry<Exact_rational>& e : entries)
-      row.row.entries.push_back({e.column, numerator(e.coefficient, multiple)});
-    row.row.right_hand_side = numerator(right_hand_side, multiple);
-    sort_and_sum(row.row.entries);
-    const Exact_integer divisor = divide_by_common_factor(row);
-    m_scales[row.index] = quotient(multiple, divisor);
-    m_waiting_rows.push_back(std::move(row));
-    m_rows.add_row(Entries<std::int64_t>(), 0); // holds the place
-  }
+  void add_row(const Entries<Exact_rational>& entries, const Exact_rational& right_hand_side);
 
   // Call once, when all rows are there.
-  Scaled_system take()
-  {
-    if(!m_waiting_rows.empty())
-      insert_waiting_rows();
-    return {std::move(m_rows), std::move(m_scales)};
-  }
+  Scaled_system take();
 
 private:
   // A row that was not made of 64-bit integers, or that has a right-hand side.
@@ -242,5 +215,9 @@ private:
 } // namespace internal
 } // namespace Linear_snapping
 } // namespace CGAL
+
+#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
+#include <CGAL/Linear_snapping/internal/linear/System_builder_impl.h>
+#endif
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_LINEAR_SYSTEM_BUILDER_H

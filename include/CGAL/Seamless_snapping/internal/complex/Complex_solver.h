@@ -436,6 +436,11 @@ bool Complex_solver<Group>::solve_shifted(const Target_shifts<Group>& shifts,
   return true;
 }
 
+#ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
+extern template class Complex_solver<Rotation_group<4> >;
+extern template class Complex_solver<Rotation_group<6> >;
+#endif
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL

@@ -245,6 +245,11 @@ private:
   Scaled_system m_rows;
 };
 
+#ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
+extern template class Reduced_system<Rotation_group<4> >;
+extern template class Reduced_system<Rotation_group<6> >;
+#endif
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL

@@ -72,6 +72,12 @@ std::optional<Refusal> solve_complex(const Cut_complex<Group>& complex, const bo
 }
 
 #ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
+template class Reduced_system<Rotation_group<4> >;
+template class Reduced_system<Rotation_group<6> >;
+template class Complex_solver<Rotation_group<4> >;
+template class Complex_solver<Rotation_group<6> >;
+template class Distortion_minimizer<double>;
+template class Untangler<double>;
 CGAL_SEAMLESS_SNAPPING_FOR_ALL_GROUPS(CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEX, )
 #endif
 

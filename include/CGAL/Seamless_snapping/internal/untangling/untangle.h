@@ -293,6 +293,11 @@ private:
   std::vector<Angle_sum> m_angles; // per vertex
 };
 
+#ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
+extern template class Distortion_minimizer<double>;
+extern template class Untangler<double>;
+#endif
+
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL

@@ -328,20 +328,6 @@ inline void measure_orientations(const Flat_volume& volume, Volume_integer_grid_
   measure.volume = CGAL::to_double(six_volumes) / 6;
 }
 
-// How far a map is from an integer-grid map, computed from its coordinates only.
-// \pre the volume holds all cells, and lists no singular edges
-inline Volume_integer_grid_measure measure_integer_grid(const Flat_volume& volume)
-{
-  Volume_integer_grid_measure result;
-  const Volume_transitions transitions = Facet_transition_reader(volume).read();
-  const Volume_alignment alignment = Facet_alignment_reader(volume, transitions).read();
-  result.is_exactly_seamless = is_exact(volume, transitions, alignment, volume.coordinates);
-  measure_distances(volume, transitions, alignment, volume.coordinates, result);
-  measure_singular_edges(volume, transitions, result);
-  measure_orientations(volume, result);
-  return result;
-}
-
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL

@@ -23,6 +23,7 @@
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Seamless_snapping/internal/volume/Flat_volume.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
+#include <CGAL/Seamless_snapping/types/Volume_seamlessness.h>
 
 #include <cstddef>
 #include <optional>
@@ -54,6 +55,10 @@ struct Volume_options
 std::optional<Refusal> snap_flat_volume(const Flat_volume& volume, const Volume_options& options,
                                         const Number_format& format, Snapping_report& report,
                                         Step_timer& timer, std::vector<Uvw>& snapped);
+
+// How far a map is from an integer-grid map, computed from its coordinates only.
+// \pre the volume holds all cells, and lists no singular edges
+Volume_integer_grid_measure measure_integer_grid(const Flat_volume& volume);
 
 } // namespace internal
 } // namespace Seamless_snapping

@@ -16,6 +16,7 @@
 #include <CGAL/license/Seamless_snapping.h>
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_rounder.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_untangler.h>
 #include <CGAL/Seamless_snapping/internal/volume/snap_flat_volume.h>
@@ -277,6 +278,19 @@ std::optional<Refusal> snap_flat_volume(const Flat_volume& volume, const Volume_
   return options.is_about_all_cells()
            ? Whole_volume_snapper(volume, options, format, report, timer).run(snapped)
            : Flat_volume_snapper(volume, options.tolerance, format, report, timer).run(snapped);
+}
+
+CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
+Volume_integer_grid_measure measure_integer_grid(const Flat_volume& volume)
+{
+  Volume_integer_grid_measure result;
+  const Volume_transitions transitions = Facet_transition_reader(volume).read();
+  const Volume_alignment alignment = Facet_alignment_reader(volume, transitions).read();
+  result.is_exactly_seamless = is_exact(volume, transitions, alignment, volume.coordinates);
+  measure_distances(volume, transitions, alignment, volume.coordinates, result);
+  measure_singular_edges(volume, transitions, result);
+  measure_orientations(volume, result);
+  return result;
 }
 
 } // namespace internal
