@@ -128,6 +128,18 @@ inline double row_violation(const Integer_system& system, const std::size_t row,
   return divided_by_power(sum, row_exponent(system, row) - unit);
 }
 
+// Minimum degree on a matrix that is symmetric, which Eigen would make so once more.
+struct Symmetric_ordering
+{
+  using PermutationType = Eigen::AMDOrdering<int>::PermutationType;
+
+  template <typename Matrix>
+  void operator()(const Matrix& matrix, PermutationType& permutation) const
+  {
+    Eigen::AMDOrdering<int>()(matrix.template selfadjointView<Eigen::Lower>(), permutation);
+  }
+};
+
 // Solves equations that are triangular and have few unknowns more than rows: by a basis of all
 // differences between solutions, which is dense. Elimination keeps rows sparse whose normal matrix
 // fills in.
@@ -234,7 +246,7 @@ public:
     m_is_augmented =
       number_of_products(by_unknown) > 100 * std::size_t(m_rows.nonZeros()) + 1000000;
     const Matrix matrix =
-      m_is_augmented ? augmented_matrix(by_unknown) : Matrix(m_rows.transpose() * m_rows);
+      m_is_augmented ? augmented_matrix(by_unknown) : normal_matrix(by_unknown);
     m_factors.analyzePattern(matrix);
     m_is_too_costly = m_factors.number_of_multiplications() > most_work;
     if(m_is_too_costly)
@@ -308,7 +320,7 @@ public:
 
 private:
   // Tells how much work a factorization is.
-  struct Factors : public Eigen::SimplicialLDLT<Matrix, Eigen::Lower>
+  struct Factors : public Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Symmetric_ordering>
   {
     double number_of_multiplications() const
     { return m_nonZerosPerCol.template cast<double>().squaredNorm(); }
@@ -387,6 +399,37 @@ private:
       if(j < n)
         for(Rows::InnerIterator e(by_unknown, j); e; ++e)
           result.insertBackByOuterInner(j, n + int(e.col())) = e.value();
+    }
+    result.finalize();
+    return result;
+  }
+
+  // The lower triangle of M^T M.
+  Matrix normal_matrix(const Rows& by_unknown) const
+  {
+    const int* const begin = by_unknown.outerIndexPtr();
+    Matrix result(m_rows.cols(), m_rows.cols());
+    result.reserve(4 * m_rows.nonZeros());
+    std::vector<double> sums(std::size_t(m_rows.cols()), 0.);
+    std::vector<int> last_use(std::size_t(m_rows.cols()), -1), used;
+    for(int i = 0; i < int(m_rows.cols()); ++i) {
+      used.clear();
+      for(Matrix::InnerIterator a(m_rows, i); a; ++a)
+        for(int b = begin[a.row() + 1]; b-- > begin[a.row()];) {
+          const int k = by_unknown.innerIndexPtr()[b];
+          if(k < i)
+            break;
+          if(last_use[std::size_t(k)] != i) {
+            last_use[std::size_t(k)] = i;
+            sums[std::size_t(k)] = 0;
+            used.push_back(k);
+          }
+          sums[std::size_t(k)] += a.value() * by_unknown.valuePtr()[b];
+        }
+      std::sort(used.begin(), used.end());
+      result.startVec(i);
+      for(const int k : used)
+        result.insertBackByOuterInner(i, k) = sums[std::size_t(k)];
     }
     result.finalize();
     return result;
