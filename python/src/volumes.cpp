@@ -42,7 +42,7 @@ snap_volume(const Integers& tetrahedra, const Doubles& uvw, const std::optional<
   };
   const std::shared_ptr<Volume_snapping> snapping(
     new Volume_snapping{{tetrahedra, uvw, facets, edges}, align_boundary, tolerance, repair_flips,
-                 integer_grid, grid_scale, rounding});
+                        integer_grid, grid_scale, rounding});
   const double seconds = run_apart(progress, snapping);
   py::dict dict = ::dict_of(snapping->report, "cells");
   dict["seconds_in_core"] = seconds;

@@ -306,11 +306,11 @@ inline void measure_singular_edges(const Flat_volume& volume, const Volume_trans
     measure.alignment_distance = (std::max)(measure.alignment_distance, distance);
   }
   std::map<std::int32_t, bool> is_off; // the grid, per vertex that is a node
-  for(const Corner_index corner : corners_of_nodes(volume, edges))
-    for(const double x : volume.uvw(corner)) {
-      bool& is_node_off = is_off[volume.vertex(corner)];
+  for(const Corner_index corner : corners_of_nodes(volume, edges)) {
+    bool& is_node_off = is_off[volume.vertex(corner)];
+    for(const double x : volume.uvw(corner))
       is_node_off = is_node_off || x != std::round(x);
-    }
+  }
   measure.number_of_nodes = is_off.size();
   for(const auto& node : is_off)
     measure.number_of_noninteger_nodes += std::size_t(node.second);
