@@ -17,6 +17,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
@@ -130,6 +132,63 @@ void test_few_free_unknowns(const std::size_t number_of_rows, const std::size_t 
   if(number_free > 0)
     optimum = before - rows.transpose() * (rows * rows.transpose()).ldlt().solve(rows * before);
   CHECK(largest_difference(x, Values(optimum.data(), optimum.data() + n)) < 1e-9);
+}
+
+// --- equations that fill in ----------------------------------------------------------------------
+
+// Four unknowns at random in each row: in any order, the products of rows fill in.
+Constraints random_sparse_constraints(const std::size_t n, Random& random)
+{
+  constexpr std::array<std::int64_t, 3> coefficients{-1, 1, 2};
+  Constraints c(n);
+  for(std::size_t i = 0; i < n / 2; ++i) {
+    std::map<std::size_t, std::int64_t> row;
+    while(row.size() < 4)
+      row[random() % n] = coefficients[random() % 3];
+    c.add_constraint({row.begin(), row.end()});
+  }
+  return c;
+}
+
+// The nearest solution is the one whose distance from the values is a combination of rows.
+void test_fill_in(const std::size_t n, const unsigned int seed)
+{
+  Random random(seed);
+  const Constraints c = random_sparse_constraints(n, random);
+  Values x(n);
+  for(double& value : x)
+    value = random_real(random);
+  Eigen::VectorXd change = Eigen::Map<const Eigen::VectorXd>(x.data(), Eigen::Index(n));
+  const LS::Linear_report report =
+    snap("fill-in, " + std::to_string(n) + ", seed " + std::to_string(seed), c, x);
+  CHECK(report.rms_change <= 1.01 * report.optimal_rms_change);
+  change -= Eigen::Map<const Eigen::VectorXd>(x.data(), Eigen::Index(n));
+  Eigen::SparseMatrix<double> rows(Eigen::Index(n), Eigen::Index(c.number_of_constraints()));
+  for(std::size_t i = 0; i < c.number_of_constraints(); ++i)
+    for(auto term = c.begin(i); term != c.end(i); ++term)
+      rows.insert(Eigen::Index(term->first), Eigen::Index(i)) = double(term->second);
+  const Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double> > combination(rows);
+  const Eigen::VectorXd multipliers = combination.solve(change);
+  CHECK((change - rows * multipliers).norm() <= 1e-9 * change.norm());
+}
+
+// Weights of all sizes make the rows nearly dependent, so that iterations converge slowly.
+void test_fill_in_with_weights(const std::size_t n, const unsigned int seed)
+{
+  Random random(seed);
+  const Constraints c = random_sparse_constraints(n, random);
+  Values x(n), weights(n);
+  for(std::size_t j = 0; j < n; ++j) {
+    x[j] = random_real(random);
+    weights[j] = std::ldexp(1., int(random() % 100));
+  }
+  const Values before(x);
+  const LS::Linear_report report =
+    LS::snap_to_linear_constraints(c, x, LS::parameters::value_weights(weights));
+  std::cout << "fill-in with weights, seed " << seed << ": " << report << std::endl;
+  CHECK_EQUAL(report.status, LS::Outcome::TOO_LARGE);
+  CHECK(report.message.find("link so many unknowns") != std::string::npos);
+  CHECK(x == before);
 }
 
 // --- refinements ---------------------------------------------------------------------------------
@@ -702,6 +761,9 @@ int main(int argc, char** argv)
     test_laplace_grid(k, 1);
   for(unsigned int i = 0; i <= 3; ++i)
     test_few_free_unknowns(600, 3 * i, i);
+  test_fill_in(4000, 1); // below the bound, and above it
+  test_fill_in(30000, 1);
+  test_fill_in_with_weights(30000, 1);
   for(unsigned int i = 1; i <= 20; ++i)
     test_refinement(i, 200, 20 * i, i % 2 == 0);
   return report_checks();

@@ -5,6 +5,7 @@
 #include "checking.h"
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_lattice.h>
+#include <CGAL/Linear_snapping/internal/linear/eliminate.h>
 
 #include <CGAL/Exact_integer.h>
 #include <CGAL/Linear_algebraHd.h>
@@ -545,6 +546,17 @@ void test_bases(unsigned int seed)
   }
 }
 
+template <typename Function>
+bool is_given_up(const Function& f)
+{
+  try {
+    f();
+  } catch(const Work_exceeded&) {
+    return true;
+  }
+  return false;
+}
+
 // Where each value of a square is the mean of its neighbors. What takes too long is given up.
 void test_bound_of_work()
 {
@@ -563,19 +575,28 @@ void test_bound_of_work()
   const std::size_t nullity = system.number_of_columns() - a.size();
   CHECK_EQUAL(Integer_lattice(system).kernel_basis().size(), nullity);
   CHECK_EQUAL(Integer_lattice(system, 1e9).kernel_basis().size(), nullity);
-  bool is_given_up = false;
-  try {
-    Integer_lattice(system, 1e3);
-  } catch(const Work_exceeded&) {
-    is_given_up = true;
-  }
-  CHECK(is_given_up);
+  CHECK(is_given_up([&] { Integer_lattice(system, 1e3); }));
+}
+
+// Each pivot changes all rows that follow.
+void test_bound_of_elimination()
+{
+  constexpr std::size_t size = 10;
+  Matrix a(size, Vector(2 * size, Exact_integer(1)));
+  for(std::size_t i = 0; i < size; ++i)
+    a[i][i] = 2;
+  const Integer_system system = to_system(a, 2 * size);
+  const Echelon_form form = eliminate(system, 1e6);
+  CHECK_EQUAL(form.pivot_columns.size() + form.rows_in_core.size(), size);
+  CHECK(is_given_up([&] { eliminate(system, 1e3); }));
+  CHECK(is_given_up([&] { Unit_pivot_elimination<Exact_integer>(system, 1e4); }));
 }
 
 int main()
 {
   test_bases(100);
   test_bound_of_work();
+  test_bound_of_elimination();
   test_addendum();
   test_random_systems(4711);
   test_nearness(815);

@@ -54,6 +54,12 @@ struct Integer_overflow : std::exception
   const char* what() const noexcept override { return "a 64-bit integer overflowed"; }
 };
 
+// Thrown if a system would take more work than is allowed.
+struct Work_exceeded : std::exception
+{
+  const char* what() const noexcept override { return "a linear system took too long to solve"; }
+};
+
 inline std::int64_t checked_product(const std::int64_t a, const std::int64_t b)
 {
   std::int64_t result = 0;

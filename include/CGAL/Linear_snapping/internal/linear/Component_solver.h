@@ -55,7 +55,8 @@ struct Component_solution
 class Component_solver
 {
 public:
-  // Throws `Work_exceeded` where the rows without a unit take too long, if it may be finer.
+  // Throws `Work_exceeded` if the elimination or rows without a unit take too long, and it may be
+  // finer.
   // \param input is kept by reference
   Component_solver(const Component_input& input, const Number_format& format,
                    const bool may_be_finer)
@@ -66,13 +67,11 @@ public:
     std::optional<Echelon_form> form;
     if(may_be_finer) // multiples are too coarse for faces
       form = triangular_form(m_system);
-    m_form = form ? std::move(*form) : eliminate(m_system);
+    m_form = form ? std::move(*form) : eliminate(m_system, work_limit());
     if(!m_form.rows_in_core.empty()) {
       m_core = whole_system();
       if(m_core == nullptr)
-        m_core = std::make_unique<Core_solver>(
-          m_system, m_form, false,
-          may_be_finer ? most_work : std::numeric_limits<double>::infinity());
+        m_core = std::make_unique<Core_solver>(m_system, m_form, false, work_limit());
     }
     std::vector<bool> is_free(m_form.pivot_rows.number_of_columns(), true);
     for(const Column_index column : m_form.pivot_columns)
@@ -189,7 +188,11 @@ private:
   static constexpr std::size_t most_rows_to_reduce = 300;
   static constexpr double most_work = 3e10; // multiplications: about a minute
   static constexpr double most_work_of_whole_system = 1e10;
+  static constexpr double work_of_short_factorization = 1e9; // about a second
   static constexpr int most_bits_at_once = 40; // of a finer grid, for the errors
+
+  double work_limit() const
+  { return m_may_be_finer ? most_work : std::numeric_limits<double>::infinity(); }
 
   static void finish(Step_timer* const timer, const char* step)
   {
@@ -240,7 +243,7 @@ private:
   }
 
   // The work of a factorization from which on the null space takes less; infinite if elimination
-  // did not end with a triangular form of the unknowns.
+  // did not end with a triangular form of the unknowns, or if both take too much.
   double work_before_null_space() const
   {
     constexpr double least = 1e6;  // multiplications: about a millisecond
@@ -248,9 +251,11 @@ private:
     const Integer_system& form = m_form.pivot_rows;
     if(m_core != nullptr || !m_form.multiples.empty())
       return std::numeric_limits<double>::infinity();
-    return (std::max)(least, factor * Null_space_solver::work(double(form.number_of_columns()),
-                                                              double(form.number_of_rows()),
-                                                              double(form.number_of_entries())));
+    const double work = Null_space_solver::work(double(form.number_of_columns()),
+                                                double(form.number_of_rows()),
+                                                double(form.number_of_entries()));
+    return work > most_work ? std::numeric_limits<double>::infinity()
+                            : (std::max)(least, factor * work);
   }
 
   // Nothing if most digits would be lost.
@@ -268,6 +273,27 @@ private:
     return result;
   }
 
+  // A factorization, unless another way takes less work.
+  std::unique_ptr<Least_squares_projection>
+  cheapest_projection(const std::vector<Row_index>& rows) const
+  {
+    const double before_null_space = work_before_null_space();
+    const double most_at_first = (std::min)(before_null_space, work_of_short_factorization);
+    auto result = std::make_unique<Least_squares_projection>(m_system, rows, m_weights,
+                                                             most_at_first);
+    const double work = result->work_of_factorization();
+    if(work <= most_at_first)
+      return result;
+    if(work > before_null_space)
+      if(auto by_null_space = projection_by_null_space())
+        return by_null_space;
+    if(work > work_of_short_factorization && result->iterate())
+      return result;
+    if(work > work_limit())
+      throw Work_exceeded();
+    return std::make_unique<Least_squares_projection>(m_system, rows, m_weights);
+  }
+
   const Integer_system& projected_system() const
   {
     return m_is_projected_in_form ? m_form.pivot_rows
@@ -279,12 +305,7 @@ private:
     if(m_projection != nullptr)
       return *m_projection;
     const std::vector<Row_index> rows = independent_rows();
-    m_projection = std::make_unique<Least_squares_projection>(m_system, rows, m_weights,
-                                                              work_before_null_space());
-    if(m_projection->is_too_costly())
-      m_projection = projection_by_null_space();
-    if(m_projection == nullptr)
-      m_projection = std::make_unique<Least_squares_projection>(m_system, rows, m_weights);
+    m_projection = cheapest_projection(rows);
     if(m_projection->is_ill_conditioned() && rows.size() <= most_rows_to_reduce) {
       m_reduced_rows = std::make_unique<Integer_system>(reduced_rows(m_system, rows, m_weights));
       std::vector<Row_index> all_rows(rows.size());

@@ -28,7 +28,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <exception>
 #include <limits>
 #include <string>
 #include <type_traits>
@@ -61,12 +60,6 @@ Entries<Integer> difference_with_multiple(const Entries<Integer>& a, const Integ
   result.insert(result.end(), i, a.end());
   return result;
 }
-
-// Thrown where reductions take more work than is allowed.
-struct Work_exceeded : std::exception
-{
-  const char* what() const noexcept override { return "a lattice took too long to reduce"; }
-};
 
 // The result of one row: the vector that all earlier rows map to 0 and this row to `gcd`. The
 // row is a combination of earlier ones if gcd is 0.

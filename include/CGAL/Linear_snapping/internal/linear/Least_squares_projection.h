@@ -34,6 +34,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -224,7 +225,8 @@ private:
 // The linear algebra of the projection, for one set of independent rows. Invariant: the normal
 // matrix M^T M of the rows is factorized, where M holds them as columns; or, where unknowns that
 // many rows share would make it dense, the matrix (I M; M^T -d) with a small d; or rows that are
-// triangular have a solver of their own.
+// triangular have a solver of their own; or, if all of these fill in, conjugate gradients solve
+// with M^T M.
 class Least_squares_projection
 {
   using Matrix = Eigen::SparseMatrix<double>;
@@ -233,7 +235,8 @@ class Least_squares_projection
 
 public:
   // \param weights one per column, positive
-  // \param most_work more multiplications than this are not made
+  // \param most_work if a factorization takes more multiplications, nothing is factorized, and
+  //        `iterate()` must take its place
   Least_squares_projection(const Integer_system& system, std::vector<Row_index> independent_rows,
                            const std::vector<double>& weights,
                            const double most_work = std::numeric_limits<double>::infinity())
@@ -248,8 +251,7 @@ public:
     const Matrix matrix =
       m_is_augmented ? augmented_matrix(by_unknown) : normal_matrix(by_unknown);
     m_factors.analyzePattern(matrix);
-    m_is_too_costly = m_factors.number_of_multiplications() > most_work;
-    if(m_is_too_costly)
+    if(work_of_factorization() > most_work)
       return;
     m_factors.factorize(matrix);
     // a pivot is the square of the distance of a row, of length 1, from the rows before it
@@ -274,8 +276,20 @@ public:
 
   std::size_t number_of_rows() const { return m_row_indices.size(); }
 
-  // Whether it would take too much work, and can't be used.
-  bool is_too_costly() const { return m_is_too_costly; }
+  // The multiplications of the factorization, whether or not it was made.
+  double work_of_factorization() const { return m_factors.number_of_multiplications(); }
+
+  // Lets conjugate gradients take the place of the factorization. Returns false if they converge
+  // too slowly.
+  bool iterate()
+  {
+    m_is_iterated = true;
+    std::minstd_rand random; // most unlike the eigenvectors of a regular system
+    Vector r(m_rows.cols());
+    for(Eigen::Index i = 0; i < r.size(); ++i)
+      r[i] = double(random()) - double(random());
+    return (r - m_rows.transpose() * solve(r)).norm() < 2 * goal_of_iteration * r.norm();
+  }
 
   // Whether rows are so nearly dependent that most digits are lost.
   bool is_ill_conditioned() const { return m_is_ill_conditioned; }
@@ -315,10 +329,13 @@ public:
       return difference;
     const Vector scaled = difference.cwiseQuotient(m_scales);
     const Vector r = m_rows.transpose() * scaled;
-    return m_scales.cwiseProduct(scaled - (m_is_augmented ? shortest_solution(r) : solve(r)));
+    const bool is_inexact = m_is_augmented || m_is_iterated;
+    return m_scales.cwiseProduct(scaled - (is_inexact ? shortest_solution(r) : solve(r)));
   }
 
 private:
+  static constexpr double goal_of_iteration = 1e-8; // relative; refinement makes up for it
+
   // Tells how much work a factorization is.
   struct Factors : public Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Symmetric_ordering>
   {
@@ -440,6 +457,8 @@ private:
   {
     if(m_null_space)
       return m_null_space->solve(r);
+    if(m_is_iterated)
+      return solve_by_iteration(r);
     if(!m_is_augmented) {
       const Vector multipliers = m_factors.solve(r); // a vector: expressions compile slowly
       return m_rows * multipliers;
@@ -450,12 +469,34 @@ private:
     return m_rows * Vector(solution.tail(r.size()));
   }
 
+  // Conjugate gradients for M^T M u = r with y = M u, which is the shortest whenever they stop. The
+  // rows have length 1, so that the diagonal needs no preconditioner.
+  Vector solve_by_iteration(const Vector& r) const
+  {
+    constexpr double most_work = 1e9; // multiplications: about a second
+    const double most_iterations =
+      (std::max)(200., most_work / double(2 * m_rows.nonZeros() + 3 * m_rows.rows()));
+    Vector y = Vector::Zero(m_rows.rows()), rest = r, direction = r;
+    double squares = rest.squaredNorm();
+    const double goal = goal_of_iteration * goal_of_iteration * squares;
+    for(int i = 0; i < most_iterations && squares > goal; ++i) {
+      const Vector step = m_rows * direction;
+      const double factor = squares / step.squaredNorm();
+      y += factor * step;
+      rest -= factor * (m_rows.transpose() * step);
+      const double squares_before = squares;
+      squares = rest.squaredNorm();
+      direction = rest + squares / squares_before * direction;
+    }
+    return y;
+  }
+
   // The shortest solution, refined.
   Vector shortest_solution(const Vector& r) const
   {
     constexpr int rounds_of_augmented = 10;
     Vector y = solve(r);
-    for(int round = m_is_augmented ? rounds_of_augmented : 1; round > 0; --round)
+    for(int round = m_is_augmented && !m_is_iterated ? rounds_of_augmented : 1; round > 0; --round)
       y += solve(Vector(r - m_rows.transpose() * y));
     return y.allFinite() ? y : Vector::Zero(m_rows.rows());
   }
@@ -467,7 +508,7 @@ private:
   Factors m_factors;
   std::optional<Null_space_solver> m_null_space; // in place of factors
   bool m_is_augmented = false;
-  bool m_is_too_costly = false;
+  bool m_is_iterated = false; // without factors
   bool m_is_ill_conditioned = false;
 };
 

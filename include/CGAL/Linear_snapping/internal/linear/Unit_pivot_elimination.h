@@ -37,6 +37,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -65,12 +66,14 @@ public:
   using Row = Entries<Integer>;
   using Log = std::vector<Elimination_step<Integer> >;
 
+  // \param most_work multiplications of words; more throw `Work_exceeded`
   // \param log of all that happens to the system's rows, if it is wanted
   // \pre 64-bit integers are for systems that have no others
-  explicit Unit_pivot_elimination(const Integer_system& system, Log* const log = nullptr)
+  Unit_pivot_elimination(const Integer_system& system, const double most_work,
+                         Log* const log = nullptr)
     : m_number_of_original_columns(system.number_of_columns()), m_rows(system.number_of_rows()),
       m_right_hand_side(system.number_of_rows()), m_states(system.number_of_rows(), WAITING),
-      m_columns(system.number_of_columns()), m_log(log)
+      m_columns(system.number_of_columns()), m_work_left(most_work), m_log(log)
   {
     load(system);
     Row_index row;
@@ -285,14 +288,15 @@ private:
   // row j -= factor * row i
   void subtract(const Row_index j, const Integer& factor, const Row_index i)
   {
-    const Row& a = m_rows[std::size_t(j)];
+    Row& a = m_rows[std::size_t(j)];
     const Row& b = m_rows[std::size_t(i)];
+    count_work(a.size() + b.size());
     m_scratch.clear();
     auto p = a.begin();
     auto q = b.begin();
     while(p != a.end() || q != b.end()) {
       if(q == b.end() || (p != a.end() && p->column < q->column)) {
-        m_scratch.push_back(*p++);
+        m_scratch.push_back(std::move(*p++));
       } else if(p == a.end() || q->column < p->column) {
         m_scratch.push_back({q->column, difference_with_product(Integer(0), factor,
                                                                 q->coefficient)});
@@ -311,10 +315,19 @@ private:
         ++q;
       }
     }
-    m_rows[std::size_t(j)].assign(m_scratch.begin(), m_scratch.end());
+    a.assign(std::make_move_iterator(m_scratch.begin()), std::make_move_iterator(m_scratch.end()));
     Integer& rhs = m_right_hand_side[std::size_t(j)];
     if(right_hand_side(i) != 0)
       rhs = difference_with_product(rhs, factor, right_hand_side(i));
+  }
+
+  void count_work(const std::size_t number_of_entries)
+  {
+    // multiplications that take as long as what is done with an entry
+    constexpr double of_entry = std::is_same<Integer, Exact_integer>::value ? 60 : 6;
+    m_work_left -= of_entry * double(number_of_entries);
+    if(m_work_left < 0)
+      throw Work_exceeded();
   }
 
   // The sum of at most this many of the system's unknowns is an auxiliary one, so that its value
@@ -592,6 +605,7 @@ private:
   Row_queue m_queue;
   std::vector<Pivot> m_pivots;
   std::vector<Row_index> m_redundant_rows, m_contradictory_rows;
+  double m_work_left;
   Log* m_log;
   Integer m_largest_coefficient = Integer(0);
   std::vector<std::tuple<Integer, int, std::size_t> > m_singles; // scratch

@@ -22,6 +22,7 @@
 #include <CGAL/Linear_snapping/internal/linear/Unit_pivot_elimination.h>
 
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -29,13 +30,15 @@ namespace CGAL {
 namespace Linear_snapping {
 namespace internal {
 
-inline Echelon_form eliminate(const Integer_system& system)
+// \param most_work as for `Unit_pivot_elimination`
+inline Echelon_form eliminate(const Integer_system& system,
+                              const double most_work = std::numeric_limits<double>::infinity())
 {
   if(system.is_small())
     try {
-      return Unit_pivot_elimination<std::int64_t>(system).take_echelon_form();
+      return Unit_pivot_elimination<std::int64_t>(system, most_work).take_echelon_form();
     } catch(const Integer_overflow&) { }
-  return Unit_pivot_elimination<Exact_integer>(system).take_echelon_form();
+  return Unit_pivot_elimination<Exact_integer>(system, most_work).take_echelon_form();
 }
 
 // A combination of eliminated rows, as one of the system's own: eliminates once more, with a log,
@@ -44,7 +47,7 @@ template <typename Integer>
 void undo_elimination(const Integer_system& system, std::vector<Exact_rational>& multipliers)
 {
   typename Unit_pivot_elimination<Integer>::Log log;
-  Unit_pivot_elimination<Integer>(system, &log);
+  Unit_pivot_elimination<Integer>(system, std::numeric_limits<double>::infinity(), &log);
   for(auto step = log.rbegin(); step != log.rend(); ++step) {
     Exact_rational& target = multipliers[std::size_t(step->target)];
     if(target == 0)

@@ -367,8 +367,8 @@ try {
   return std::nullopt;
 } catch(const Work_exceeded&) {
   return Refusal(Outcome::TOO_LARGE,
-                 "constraints without a coefficient 1 or -1 link so many unknowns that a solution "
-                 "takes too long; use fewer of them at once, or coefficients of fewer digits");
+                 "the constraints link so many unknowns that a solution takes too long; use fewer "
+                 "of them at once, or coefficients of fewer digits");
 }
 
 } // namespace internal
