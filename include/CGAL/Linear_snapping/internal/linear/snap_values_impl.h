@@ -20,7 +20,6 @@
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Linear_snapping/internal/exact/Magnitudes.h>
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
-#include <CGAL/Linear_snapping/internal/linear/Kernel_lattice.h>
 #include <CGAL/Linear_snapping/internal/linear/Least_squares_projection.h>
 #include <CGAL/Linear_snapping/internal/linear/Linear_solver.h>
 #include <CGAL/Linear_snapping/internal/linear/snap_values.h>

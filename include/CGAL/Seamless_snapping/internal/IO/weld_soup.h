@@ -32,7 +32,6 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <string>
 #include <vector>
 
 namespace CGAL {

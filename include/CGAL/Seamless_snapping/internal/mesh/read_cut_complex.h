@@ -25,7 +25,6 @@
 #include <CGAL/Seamless_snapping/internal/mesh/Constraint_list.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_transitions.h>
-#include <CGAL/Seamless_snapping/internal/mesh/singular_vertices.h>
 
 #include <algorithm>
 #include <array>

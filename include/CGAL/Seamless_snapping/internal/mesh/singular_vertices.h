@@ -21,7 +21,6 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
-#include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
 
 #include <cmath>
 #include <cstddef>

@@ -22,7 +22,6 @@
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Movable_points.h>
 #include <CGAL/Seamless_snapping/internal/orientation/Vertex_angles.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
 #include <algorithm>
 #include <array>

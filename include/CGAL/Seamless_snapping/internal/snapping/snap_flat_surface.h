@@ -17,7 +17,6 @@
 
 // Snaps a copy of a map in arrays: what is the same for all types of meshes.
 
-#include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Flat_surface.h>
 #include <CGAL/Seamless_snapping/internal/snapping/Surface_snapper.h>
 #include <CGAL/Seamless_snapping/internal/snapping/solve_complex.h>
