@@ -250,8 +250,8 @@ public:
       number_of_products(by_unknown) > 100 * std::size_t(m_rows.nonZeros()) + 1000000;
     const Matrix matrix =
       m_is_augmented ? augmented_matrix(by_unknown) : normal_matrix(by_unknown);
-    m_factors.analyzePattern(matrix);
-    if(work_of_factorization() > most_work)
+    m_work = m_factors.analyze(matrix, (std::max)(most_work, 2e11));
+    if(m_work > most_work)
       return;
     m_factors.factorize(matrix);
     // a pivot is the square of the distance of a row, of length 1, from the rows before it
@@ -276,8 +276,9 @@ public:
 
   std::size_t number_of_rows() const { return m_row_indices.size(); }
 
-  // The multiplications of the factorization, whether or not it was made.
-  double work_of_factorization() const { return m_factors.number_of_multiplications(); }
+  // The multiplications of the factorization, whether or not it was made; infinity if these are
+  // more than 2e11.
+  double work_of_factorization() const { return m_work; }
 
   // Lets conjugate gradients take the place of the factorization. Returns false if they converge
   // too slowly.
@@ -336,11 +337,41 @@ public:
 private:
   static constexpr double goal_of_iteration = 1e-8; // relative; refinement makes up for it
 
-  // Tells how much work a factorization is.
   struct Factors : public Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Symmetric_ordering>
   {
-    double number_of_multiplications() const
-    { return m_nonZerosPerCol.template cast<double>().squaredNorm(); }
+    // Finds an order. Returns how many multiplications a factorization takes; infinity if these are
+    // more than `most_work`, and the analysis would take long, too, which visits all entries.
+    double analyze(const Matrix& matrix, const double most_work)
+    {
+      constexpr Eigen::Index large = 50000;
+      CholMatrixType permuted(matrix.rows(), matrix.rows());
+      ConstCholMatrixPtr upper = nullptr;
+      ordering(matrix, upper, permuted);
+      if(matrix.rows() > large && takes_more(*upper, most_work))
+        return std::numeric_limits<double>::infinity();
+      analyzePattern_preordered(*upper, true);
+      return m_nonZerosPerCol.template cast<double>().squaredNorm();
+    }
+
+  private:
+    // Follows each row of the factor through the elimination tree.
+    static bool takes_more(const CholMatrixType& upper, const double most_work)
+    {
+      const std::size_t size = std::size_t(upper.cols());
+      std::vector<Eigen::Index> parent(size, -1), last_row(size, -1);
+      std::vector<double> entries(size, 0.); // per column
+      double work = 0;
+      for(Eigen::Index k = 0; k < upper.cols() && work <= most_work; ++k)
+        for(CholMatrixType::InnerIterator e(upper, k); e; ++e)
+          for(Eigen::Index i = e.index(); i < k && last_row[std::size_t(i)] != k;
+              i = parent[std::size_t(i)]) {
+            if(parent[std::size_t(i)] < 0)
+              parent[std::size_t(i)] = k;
+            last_row[std::size_t(i)] = k;
+            work += 2 * entries[std::size_t(i)]++ + 1;
+          }
+      return work > most_work;
+    }
   };
 
   Least_squares_projection(std::vector<Row_index> rows, const std::vector<double>& weights)
@@ -507,6 +538,7 @@ private:
   Matrix m_rows; // as columns
   Factors m_factors;
   std::optional<Null_space_solver> m_null_space; // in place of factors
+  double m_work = 0; // of a factorization
   bool m_is_augmented = false;
   bool m_is_iterated = false; // without factors
   bool m_is_ill_conditioned = false;
