@@ -125,6 +125,30 @@ def test_small_parts_are_told():
     assert report["number_of_parts_left_out"] == 0 and points.max() > 1.5
 
 
+def largest_inward_turn(V, Q):
+    """In degrees, between the normals of two neighbors that face each other."""
+    P = V[Q]
+    normals = np.cross(P[:, 2] - P[:, 0], P[:, 3] - P[:, 1])
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    middles = P.mean(axis=1)
+    face_of = {(q[k], q[(k + 1) % 4]): i for i, q in enumerate(Q.tolist()) for k in range(4)}
+    turns = [0]
+    for (a, b), f in face_of.items():
+        g = face_of.get((b, a))
+        if g is not None and (normals[f] - normals[g]) @ (middles[g] - middles[f]) > 0:
+            turns.append(np.degrees(np.arccos(np.clip(normals[f] @ normals[g], -1, 1))))
+    return max(turns)
+
+
+def test_few_quads_are_not_folded(tmp_path, program):
+    # The body is thinner than a quad is long. Its inner corners turn by 90 degrees.
+    program("body", tmp_path / "body.obj", "--genus", 2)
+    body = Obj(tmp_path / "body.obj")
+    V, Q, report = seamless.quad_remesh(body.V, body.F, quads=10, report=True)
+    assert report["number_of_inverted_quads"] == report["number_of_folded_quads"] == 0
+    assert largest_inward_turn(V, Q) < 135
+
+
 def test_too_many_quads_are_told(monkeypatch):
     V, F = refined_box(2)
     make = seamless._core.quad_remesh

@@ -355,7 +355,7 @@ private:
     const bool is_improved = shape_and_improve(Feature_lines(m_run.surface), smoother);
     if(is_improved && !m_run.surface.mirror())
       mend(upper_sides, smoother);
-    m_run.work.spend(work_of(smoother));
+    m_run.work.spend(work_of(smoother) + double(upper_sides.number_of_walks()));
     m_run.timer.finish("smoothing");
     m_run.report.median_size_deviation =
       median_size_deviation(m_run.surface, m_run.options.number_wanted(), m_quads, smoother);
@@ -662,9 +662,9 @@ class Quad_search
       {"room in all triangles", &S::has_flaws, Room::IN_ALL_TRIANGLES, true, {}, &S::is_any},
       {"the border as it is", &S::has_flaws_at_border, room, false, {}, &S::has_hardly_more_quads},
       {"the best of several maps", &S::is_coarse_and_bad, room, true, 0., &S::has_fewer_bad},
-      {"a quarter more quads", &S::has_few_and_bad, room, true, 1.25, &S::has_fewer_bad},
-      {"a half more quads", &S::has_few_and_bad, room, true, 1.5, &S::has_fewer_bad},
-      {"twice as many quads", &S::has_few_and_bad, room, true, 2., &S::has_fewer_bad},
+      {"a quarter more quads", &S::has_few_and_bad, room, true, 1.25, &S::has_none_bad},
+      {"a half more quads", &S::has_few_and_bad, room, true, 1.5, &S::has_none_bad},
+      {"twice as many quads", &S::has_few_and_bad, room, true, 2., &S::has_none_bad},
       {"the input as it is", &S::has_no_quads, Room::NONE, false, {}, &S::is_any}
     }};
   }
@@ -730,6 +730,9 @@ private:
 
   bool has_hardly_more_quads(const Remeshing_report& r) const
   { return double(r.number_of_quads) <= 1.2 * double(m_best.number_of_quads); }
+
+  bool has_none_bad(const Remeshing_report& r) const
+  { return r && r.number_of_bad_quads() == 0; }
 
   bool has_fewer_bad(const Remeshing_report& r) const
   { return r && r.number_of_bad_quads() < m_best.number_of_bad_quads(); }

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +51,9 @@ public:
       m_starts[v] = nearest_face(v);
   }
 
+  // Each takes about as long as a search for the nearest place.
+  std::size_t number_of_walks() const { return m_number_of_walks; }
+
   bool is_folded(const Face f) const
   { return is_upside_down(f) || side_that_it_turns_from(f) != Space_vector{}; }
 
@@ -69,6 +73,14 @@ public:
   }
 
 private:
+  // Unit normals of the surface below a quad.
+  struct Normals
+  {
+    std::vector<Quad> around; // the quads around its corners when the normals were found
+    std::vector<Space_vector> by_walks;
+    std::vector<Space_vector> others; // at the corners, and where the surface is nearest
+  };
+
   const Mesh& mesh() const { return m_surface.mesh(); }
 
   // Whether a quad faces against the surface below it, on the average and clearly: one that is as
@@ -83,9 +95,9 @@ private:
   }
 
   // If a quad and one beside it turn back on each other, and this one faces at least as far from
-  // the surface: the normal of the other one; else 0. Quads that follow the surface turn about as
-  // far as it does, so nowhere are their normals much farther apart than the two normals of the
-  // surface that are farthest apart.
+  // the surface: the normal of the other one; else 0. Quads turn about as far as the surface does.
+  // A turn inward is compared with the mean normals below the two quads. The rim of a part that is
+  // thin against quads turns outward, and farther than these, so there any two normals excuse it.
   Space_vector side_that_it_turns_from(const Face f) const
   {
     constexpr double farther = 1.25; // a difference of cosines: 105 degrees on a flat surface
@@ -100,14 +112,27 @@ private:
       const double least = inner_product(own, normal) + farther; // cosine of the surface
       if(least >= 1)
         continue;
-      std::vector<Space_vector> below;
-      add_normals_below(f, q, below);
-      add_normals_below(g, other, below);
-      const Space_vector mean = mean_of(below);
-      if(inner_product(own, mean) <= inner_product(normal, mean) && least < least_cosine(below))
+      const Space_vector side = upper_side(f, q), side_of_other = upper_side(g, other);
+      Space_vector mean;
+      for(std::size_t c = 0; c < 3; ++c)
+        mean[c] = side[c] + side_of_other[c];
+      if(inner_product(own, mean) > inner_product(normal, mean))
+        continue;
+      const double turn_of_surface = turns_inward(q, own, other, normal)
+        ? inner_product(scaled_to_one(side), scaled_to_one(side_of_other))
+        : least_cosine(normals_below(f, q), normals_below(g, other));
+      if(least < turn_of_surface)
         return normal;
     }
     return {};
+  }
+
+  // Whether two quads face each other, as in a valley.
+  static bool turns_inward(const Quad& q, const Space_vector& normal, const Quad& other,
+                           const Space_vector& normal_of_other)
+  {
+    const Space_vector d = vector_to(places(q)[0], places(other)[0]);
+    return inner_product(normal, d) > inner_product(normal_of_other, d);
   }
 
   // Whether it faces against what is nearest, or against most of the quads beside it. Walks alone
@@ -141,13 +166,14 @@ private:
     return m_smoother.nearest_face(m_smoother.point(v), m_smoother.visit_star(v, ignore).normal);
   }
 
+  // The faces below the corners that lie on no feature: those of the others are on either side.
   std::vector<Face> faces_of_corners(const Face f) const
   {
-    std::vector<Face> starts, starts_on_lines;
+    std::vector<Face> result;
     for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
-      (lines_at_vertex(m_quads, m_is_feature, v).empty() ? starts : starts_on_lines)
-        .push_back(face_of_surface(v));
-    return starts.empty() ? starts_on_lines : starts;
+      if(lines_at_vertex(m_quads, m_is_feature, v).empty())
+        result.push_back(face_of_surface(v));
+    return result;
   }
 
   // The middle, and half way from there to each corner.
@@ -163,28 +189,43 @@ private:
 
   // Where the surface faces below a quad: the mean of the unit normals that walks find.
   Space_vector upper_side(const Face f, const Quad& q) const
-  { return mean_of(normals_by_walks(f, q)); }
+  { return mean_of(normals_below(f, q).by_walks); }
 
-  // The surface below the middle of a quad, and half way from there to each corner.
+  // The normals stay as they are until a vertex near by moves.
+  const Normals& normals_below(const Face f, const Quad& q) const
+  {
+    std::vector<Quad> around;
+    for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
+      for(const Face g : CGAL::faces_around_target(halfedge(v, m_quads), m_quads))
+        if(g != Mesh::null_face())
+          around.push_back(m_smoother.quad(g));
+    Normals& result = m_normals[f];
+    if(around != result.around)
+      result = {around, normals_by_walks(f, q), normals_at_corners_and_nearest(f, q)};
+    return result;
+  }
+
+  // The normals below the middle of a quad, and half way from there to each corner; the nearest one
+  // if no corner tells where to begin.
   std::vector<Space_vector> normals_by_walks(const Face f, const Quad& q) const
   {
     std::vector<Space_vector> result;
     for(const Face start : faces_of_corners(f))
       for(const Space_vector& p : places(q))
         result.push_back(unit_normal(walk(start, p)));
+    if(result.empty())
+      result.push_back(scaled_to_one(m_smoother.normal_of_surface(q)));
     return result;
   }
 
-  // Adds the normals that walks find, at the corners, and where the surface is nearest: each of
-  // these may be wrong, and a turn of any of them excuses a turn of the quads.
-  void add_normals_below(const Face f, const Quad& q, std::vector<Space_vector>& normals) const
+  std::vector<Space_vector> normals_at_corners_and_nearest(const Face f, const Quad& q) const
   {
-    const std::vector<Space_vector> walked = normals_by_walks(f, q);
-    normals.insert(normals.end(), walked.begin(), walked.end());
+    std::vector<Space_vector> result;
     for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
-      normals.push_back(unit_normal(face_of_surface(v)));
+      result.push_back(unit_normal(face_of_surface(v)));
     for(const Space_vector& p : places(q))
-      normals.push_back(unit_normal(m_smoother.nearest_face(p, quad_normal(q))));
+      result.push_back(unit_normal(m_smoother.nearest_face(p, quad_normal(q))));
+    return result;
   }
 
   Space_vector unit_normal(const Face f) const
@@ -199,18 +240,24 @@ private:
     return mean;
   }
 
-  static double least_cosine(const std::vector<Space_vector>& normals)
+  // The least cosine of all normals below two quads: each may be wrong, and any excuses a turn.
+  static double least_cosine(const Normals& a, const Normals& b)
   {
+    std::vector<Space_vector> all;
+    for(const Normals* const n : {&a, &b})
+      for(const std::vector<Space_vector>* const normals : {&n->by_walks, &n->others})
+        all.insert(all.end(), normals->begin(), normals->end());
     double result = 1;
-    for(std::size_t i = 0; i < normals.size(); ++i)
+    for(std::size_t i = 0; i < all.size(); ++i)
       for(std::size_t j = 0; j < i; ++j)
-        result = (std::min)(result, inner_product(normals[i], normals[j]));
+        result = (std::min)(result, inner_product(all[i], all[j]));
     return result;
   }
 
   // To where no face around is nearer to a point; not over features.
   Face walk(const Face start, const Space_vector& p) const
   {
+    ++m_number_of_walks;
     Face best = start;
     double least = squared_distance_to(p, best);
     for(Face last = Mesh::null_face(); last != best;) {
@@ -228,21 +275,29 @@ private:
   double squared_distance_to(const Space_vector& p, const Face f) const
   { return squared_distance(p, nearest_place(p, triangle_of(mesh(), f))); }
 
-  // Around the corners of a face, in both directions.
+  // Around the corners of a face, up to features.
   template <typename Visit>
   void for_neighbors(const Face f, const Visit& visit) const
   {
     for(const Halfedge h : CGAL::halfedges_around_face(mesh().halfedge(f), mesh()))
-      for(const bool goes_on : {false, true})
-        for(Halfedge g = h;;) {
-          const Halfedge side = goes_on ? mesh().next(g) : g;
-          if(m_surface.is_feature()[mesh().edge(side)] || mesh().is_border(mesh().edge(side)))
-            break;
-          g = goes_on ? mesh().opposite(side) : mesh().prev(mesh().opposite(side));
-          if(g == h)
-            break;
-          visit(mesh().face(g));
-        }
+      if(!visit_around(h, false, visit))
+        visit_around(h, true, visit);
+  }
+
+  // Visits the faces around the target of a halfedge in one direction, up to a feature. Returns
+  // whether these are all faces there.
+  template <typename Visit>
+  bool visit_around(const Halfedge h, const bool is_clockwise, const Visit& visit) const
+  {
+    for(Halfedge g = h;;) {
+      const Halfedge side = is_clockwise ? mesh().next(g) : g;
+      if(m_surface.is_feature()[mesh().edge(side)] || mesh().is_border(mesh().edge(side)))
+        return false;
+      g = is_clockwise ? mesh().opposite(side) : mesh().prev(mesh().opposite(side));
+      if(g == h)
+        return true;
+      visit(mesh().face(g));
+    }
   }
 
   const Mesh& m_quads;
@@ -250,6 +305,8 @@ private:
   const Surface_to_remesh& m_surface;
   const Quad_smoother& m_smoother;
   Mesh::Property_map<Vertex, Face> m_starts; // of the surface
+  mutable std::size_t m_number_of_walks = 0;
+  mutable std::map<Face, Normals> m_normals; // below quads
 };
 
 } // namespace internal
