@@ -101,6 +101,7 @@ private:
   Space_vector side_that_it_turns_from(const Face f) const
   {
     constexpr double farther = 1.25; // a difference of cosines: 105 degrees on a flat surface
+    constexpr double clear = 0.1; // the length of a mean of unit normals that tells a direction
     const Quad q = m_smoother.quad(f);
     const Space_vector own = scaled_to_one(quad_normal(q));
     for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_quads), m_quads)) {
@@ -118,7 +119,8 @@ private:
         mean[c] = side[c] + side_of_other[c];
       if(inner_product(own, mean) > inner_product(normal, mean))
         continue;
-      const double turn_of_surface = turns_inward(q, own, other, normal)
+      const bool is_clear = (std::min)(norm(side), norm(side_of_other)) > clear;
+      const double turn_of_surface = is_clear && turns_inward(q, own, other, normal)
         ? inner_product(scaled_to_one(side), scaled_to_one(side_of_other))
         : least_cosine(normals_below(f, q), normals_below(g, other));
       if(least < turn_of_surface)
