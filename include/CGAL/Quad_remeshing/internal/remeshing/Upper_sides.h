@@ -30,6 +30,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -114,9 +115,7 @@ private:
       if(least >= 1)
         continue;
       const Space_vector side = upper_side(f, q), side_of_other = upper_side(g, other);
-      Space_vector mean;
-      for(std::size_t c = 0; c < 3; ++c)
-        mean[c] = side[c] + side_of_other[c];
+      const Space_vector mean = mean_of({side, side_of_other});
       if(inner_product(own, mean) > inner_product(normal, mean))
         continue;
       const bool is_clear = (std::min)(norm(side), norm(side_of_other)) > clear;
@@ -203,7 +202,7 @@ private:
           around.push_back(m_smoother.quad(g));
     Normals& result = m_normals[f];
     if(around != result.around)
-      result = {around, normals_by_walks(f, q), normals_at_corners_and_nearest(f, q)};
+      result = {std::move(around), normals_by_walks(f, q), normals_at_corners_and_nearest(f, q)};
     return result;
   }
 
