@@ -177,7 +177,7 @@ private:
   {
     std::vector<Space_vector> result;
     const Space_vector from = m_smoother.point(v);
-    for(const Space_vector& d : m_plane.directions(step)) {
+    for(const Space_vector& d : m_plane.directions(step * m_plane.longest_edge)) {
       const Space_vector p{from[0] + d[0], from[1] + d[1], from[2] + d[2]};
       m_smoother.set_point(v, p);
       if(badness() < far_worse * before)

@@ -54,7 +54,8 @@ public:
   { }
 
   // At most 36 attempts for each quad, of at most 40 rounds over its vertices; and `most_moves` of
-  // a vertex in all, each of which looks at about a hundred places.
+  // a vertex in all. Each looks at about a hundred places in space, or at a third as many on the
+  // surface.
   // \param with_neighbors whether the vertices of the quads around move, too
   void run(const bool with_neighbors)
   {
@@ -206,7 +207,7 @@ private:
     return false;
   }
 
-  // The best of some steps.
+  // To the best of places in eight directions along the surface, or in all directions of space.
   void move(const std::size_t i, const double radius, const Freedom freedom)
   {
     const Vertex v = m_vertices[i];
@@ -215,25 +216,35 @@ private:
       return;
     --m_moves_left;
     const Space_vector from = m_smoother.point(v);
+    const auto plane = m_smoother.visit_star(v, [](Face, const Quad&, const Space_vector&) { });
     Space_vector best = from;
-    for(double step = radius; step > radius / 100; step /= 4)
-      for(const Space_vector& d : directions()) {
-        const double across = inner_product(d, m_normal_of_plane);
-        Space_vector p = from;
-        for(std::size_t c = 0; c < 3; ++c)
-          p[c] += step * (d[c] - across * m_normal_of_plane[c]);
-        if(freedom != Freedom::SPACE)
-          p = m_smoother.nearest(p);
-        if(norm(vector_to(m_places[i], p)) > radius)
-          continue;
-        m_star.set_point(v, p);
-        const double now = m_star.badness_around(i);
-        if(now < least) {
-          least = now;
-          best = m_smoother.point(v);
-        }
+    const auto try_place = [&](const Space_vector& p) {
+      if(norm(vector_to(m_places[i], p)) > radius)
+        return;
+      m_star.set_point(v, p);
+      const double now = m_star.badness_around(i);
+      if(now < least) {
+        least = now;
+        best = m_smoother.point(v);
       }
+    };
+    for(double step = radius; step > radius / 100; step /= 4)
+      if(freedom == Freedom::SPACE)
+        for(const Space_vector& d : directions())
+          try_place(moved(from, d, step));
+      else
+        for(const Space_vector& d : plane.directions(step))
+          try_place(m_smoother.nearest(moved(from, d, 1)));
     m_smoother.set_point(v, best);
+  }
+
+  // The point moves by a multiple of a vector, within the plane of the surface if it has one.
+  Space_vector moved(Space_vector p, const Space_vector& d, const double step) const
+  {
+    const double across = inner_product(d, m_normal_of_plane);
+    for(std::size_t c = 0; c < 3; ++c)
+      p[c] += step * (d[c] - across * m_normal_of_plane[c]);
+    return p;
   }
 
   // To the faces, edges and corners of a cube.

@@ -159,7 +159,7 @@ private:
     }
     if(m_are_few && m_lines_at_vertex.empty() && before - least < little)
       for(double step = 0.4, goal = least - enough; step > 0.04 && least > goal; step /= 2)
-        for(const Space_vector& d : m_plane.directions(step))
+        for(const Space_vector& d : m_plane.directions(step * m_plane.longest_edge))
           attempt({best[0] - old[0] + d[0], best[1] - old[1] + d[1], best[2] - old[2] + d[2]});
     m_smoother.set_point(v, best);
     return before - least;

@@ -43,8 +43,8 @@ struct Star_plane
   Space_vector normal{}, side{};
   double longest_edge = 0;
 
-  // Eight vectors perpendicular to the normal, the first one to the side, too; by the longest edge.
-  std::array<Space_vector, 8> directions(const double step) const
+  // Eight vectors perpendicular to the normal, the first one to the side, too.
+  std::array<Space_vector, 8> directions(const double length) const
   {
     const Space_vector u = scaled_to_one(vector_product(normal, side));
     const Space_vector v = scaled_to_one(vector_product(normal, u));
@@ -52,7 +52,7 @@ struct Star_plane
     for(std::size_t i = 0; i < 8; ++i) {
       const double angle = double(i) * std::acos(0.) / 2;
       for(std::size_t c = 0; c < 3; ++c)
-        result[i][c] = step * longest_edge * (std::cos(angle) * u[c] + std::sin(angle) * v[c]);
+        result[i][c] = length * (std::cos(angle) * u[c] + std::sin(angle) * v[c]);
     }
     return result;
   }
