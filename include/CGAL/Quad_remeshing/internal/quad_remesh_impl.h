@@ -313,7 +313,7 @@ private:
 
   static double work_of(const Quad_smoother& smoother)
   {
-    constexpr double of_search = 1; // the work of a search for the nearest point on the surface
+    constexpr double of_search = 2; // the work of a search for the nearest point on the surface
     return of_search * double(smoother.number_of_searches());
   }
 
