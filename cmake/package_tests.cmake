@@ -43,6 +43,24 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
 endif()
 list(GET compilers -1 other_compiler)
 
+# What the compiler of all programs makes of a source without code for it: with the flags of the
+# precompiled headers, which are those of all programs, or these would not be taken.
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
+  separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    list(APPEND flags -frounding-math) # as CGAL has it
+  endif()
+  set(target seamless_snapping_precompiled)
+  set(definitions "$<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>")
+  set(dirs "$<FILTER:$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>,EXCLUDE,^/usr/include$>")
+  set(syntax_check "${CMAKE_CXX_COMPILER}" -std=gnu++17 -fsyntax-only ${flags}
+    "$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>"
+    "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
+    "$<$<BOOL:${dirs}>:-isystem;$<JOIN:${dirs},;-isystem;>>"
+    -include "${PROJECT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx")
+endif()
+
 # Each header compiles alone, without a warning, but for what the library holds: by clang, if it is
 # there, because it takes half of the time of g++, which compiles all public headers in two_units
 # below. The compiler's own folder must not be named again: <cstdlib> and its like would not be
@@ -75,6 +93,13 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     file(GENERATE OUTPUT "${source}" CONTENT "${elsewhere}")
     set(elsewhere_options ${header_options})
     list(REMOVE_ITEM elsewhere_options -fsyntax-only)
+    # Templates that these headers use are instantiated once, and not for each header that follows.
+    set(option -fpch-instantiate-templates) # of clang, from version 11 on
+    execute_process(COMMAND "${header_compiler}" -Werror ${option} -fsyntax-only -x c++ /dev/null
+      RESULT_VARIABLE lacks_option OUTPUT_QUIET ERROR_QUIET)
+    if(NOT lacks_option)
+      list(APPEND elsewhere_options ${option})
+    endif()
     add_test(NAME headers_from_elsewhere
       COMMAND "${header_compiler}" "${elsewhere_options}" -x c++-header "${source}"
         -o "${source}.gch" COMMAND_EXPAND_LISTS)
@@ -101,9 +126,7 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   add_test(NAME refused_types
     COMMAND "${CMAKE_COMMAND}"
       "-DSOURCES=${folder}/refused_types.cpp;${folder}/refused_parameters.cpp"
-      "-DCOMPILER=${CMAKE_CXX_COMPILER}"
-      "-DOPTIONS=${header_options};-I;${PROJECT_SOURCE_DIR}/include;\
--DCGAL_SEAMLESS_SNAPPING_COMPILED"
+      "-DCOMMAND=${syntax_check}"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_refused_types.cmake")
   set_tests_properties(refused_types PROPERTIES LABELS headers)
 
@@ -163,19 +186,8 @@ seamless_snapping_benchmark_table(extraction_speed 7 "" "${data}/genus2.obj" --r
   --faces 20000 --nodes 20)
 seamless_snapping_benchmark_table(volume_scaling 0 "adjacency;lost" --cubes 4 --repeats 1)
 
-# The other benchmarks compile, where they are not built: all together, with the flags of the
-# precompiled headers, which are those of all programs, or these would not be taken.
+# The other benchmarks compile, where they are not built: all together.
 if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BENCHMARKS)
-  string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
-  separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}}")
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    list(APPEND flags -frounding-math) # as CGAL has it
-  endif()
-  set(target seamless_snapping_precompiled)
-  set(definitions "$<TARGET_PROPERTY:${target},COMPILE_DEFINITIONS>")
-  set(precompiled "${PROJECT_BINARY_DIR}/CMakeFiles/${target}.dir/cmake_pch.hxx")
-  set(options "$<TARGET_PROPERTY:${target},COMPILE_OPTIONS>")
-  set(dirs "$<FILTER:$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>,EXCLUDE,^/usr/include$>")
   file(GLOB benchmarks CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/benchmark/*/*.cpp")
   set(folders ${packages})
   list(TRANSFORM folders REPLACE "(.+)"
@@ -186,11 +198,8 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT SEAMLESS_SNAPPING_BUILD_BEN
   execute_process(COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${source}" "-DSOURCES=${benchmarks}"
     "-DFIRST=${PROJECT_SOURCE_DIR}/cmake/precompiled/remeshing.h"
     -P "${PROJECT_SOURCE_DIR}/cmake/programs_in_one.cmake")
-  add_test(NAME benchmarks
-    COMMAND "${CMAKE_CXX_COMPILER}" -std=gnu++17 -fsyntax-only ${flags} "${options}"
-      "$<$<BOOL:${definitions}>:-D$<JOIN:${definitions},;-D>>"
-      "${folders}" "$<$<BOOL:${dirs}>:-isystem;$<JOIN:${dirs},;-isystem;>>"
-      -include "${precompiled}" "${source}" COMMAND_EXPAND_LISTS)
+  add_test(NAME benchmarks COMMAND "${syntax_check}" "${folders}" "${source}"
+    COMMAND_EXPAND_LISTS)
   set_tests_properties(benchmarks PROPERTIES LABELS headers COST 700)
 endif()
 
@@ -260,6 +269,8 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
       "-DCOMPILER=${CMAKE_CXX_COMPILER}"
       "-DINCLUDE_PATH=$<JOIN:$<FILTER:${include_path},EXCLUDE,^/usr/include$>,:>"
       "-DPROGRAM_DIR=${program_dir}"
+      "-DSYNTAX_CHECK=${syntax_check};\
+-include;${PROJECT_SOURCE_DIR}/cmake/precompiled/remeshing.h"
       -P "${PROJECT_SOURCE_DIR}/cmake/test_readme.cmake")
   set_tests_properties(readme PROPERTIES LABELS package COST 900 SKIP_REGULAR_EXPRESSION "SKIPPED")
 endif()

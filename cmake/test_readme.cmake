@@ -3,7 +3,8 @@
 # (test_consumer.cmake). The C++ code in the pages of the manuals compiles, in snippets.cpp.in:
 # programs in a namespace each, pieces of programs in a function each. Run by ctest, with the
 # variables PACKAGE_SOURCE_DIR, WORK_DIR, COMPILER, INCLUDE_PATH (of CGAL, where the compiler does
-# not find it) and, if it is built, PROGRAM_DIR (the folder of the program seamless).
+# not find it), SYNTAX_CHECK (a command that checks the syntax of a source) and, if it is built,
+# PROGRAM_DIR (the folder of the program seamless).
 
 cmake_minimum_required(VERSION 3.16...3.29)
 
@@ -130,8 +131,5 @@ foreach(page IN LISTS pages)
   endwhile()
 endforeach()
 configure_file("${CMAKE_CURRENT_LIST_DIR}/snippets.cpp.in" "${WORK_DIR}/app_pieces.cpp" @ONLY)
-string(REPLACE "app" "app_pieces" command "${compile_command}")
-# the library has the bodies of functions, whose syntax other tests check
-string(REPLACE "-O0" "-fsyntax-only -DCGAL_SEAMLESS_SNAPPING_COMPILED" command "${command}")
-run("${CMAKE_COMMAND}" -E env "CPLUS_INCLUDE_PATH=${INCLUDE_PATH}" sh -c "${command}")
+run(${SYNTAX_CHECK} -w "${WORK_DIR}/app_pieces.cpp")
 message("${number_of_pieces} pieces of the manuals compile")

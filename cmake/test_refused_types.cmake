@@ -1,11 +1,12 @@
 # What the compiler says of meshes and maps that public functions can't take, and of named
 # parameters that do nothing: the remedy, once for each line "// error: " of the sources in
 # test/Seamless_snapping/refused_types, and no other error. They are compiled together, because they
-# share their headers. Run by ctest, with the variables SOURCES, COMPILER and OPTIONS.
+# share their headers. Run by ctest, with the variables SOURCES and COMMAND, which checks the syntax
+# of a source.
 
 cmake_minimum_required(VERSION 3.16...3.29)
 
-set(command "${COMPILER}" ${OPTIONS} -w)
+set(command ${COMMAND} -w)
 set(expected "")
 foreach(source IN LISTS SOURCES)
   file(STRINGS "${source}" errors REGEX "^// error: ")
