@@ -331,7 +331,7 @@ void test_refusals()
 void test_further_files()
 {
   std::size_t number = 0, number_of_maps = 0;
-  for(const auto& file : test_data::further_files("volume", ".hexex")) {
+  for(const auto& file : test_data::fifth_of_further_files("volume", ".hexex")) {
     Snapping::IO::HEXEX_mesh mesh;
     if(!CHECK(bool(Snapping::IO::read_HEXEX(file.string(), mesh))) ||
        file.string().find("_noise") != std::string::npos || mesh.tetrahedra.size() > 5000)

@@ -297,7 +297,9 @@ struct Totals
   Results connections, cycles;
 };
 
-Totals test_files(const std::vector<std::filesystem::path>& files)
+// \param number_of_cycles in each file, and a tenth of the number of connections
+Totals test_files(const std::vector<std::filesystem::path>& files,
+                  const std::size_t number_of_cycles)
 {
   Totals totals;
   for(const auto& file : files) {
@@ -305,8 +307,9 @@ Totals test_files(const std::vector<std::filesystem::path>& files)
     if(!read(file, model))
       continue;
     const std::size_t set_size = std::clamp<std::size_t>(model.ends.size() / 4, 1, 100);
-    const Results connections = test_constraints<Connections>(model, 100, set_size);
-    const Results cycles = test_constraints<Cycles>(model, 10, 1);
+    const Results connections =
+      test_constraints<Connections>(model, 10 * number_of_cycles, set_size);
+    const Results cycles = test_constraints<Cycles>(model, number_of_cycles, 1);
     std::cout << file.filename().string() << "\n  connections: " << connections
               << "\n  cycles: " << cycles << std::endl;
     totals.connections += connections;
@@ -324,10 +327,11 @@ int main()
   test_failures_of_any_size();
   test_failures_of_computed_maps();
   std::cout << "random seed 1" << std::endl;
-  const Totals totals = test_files(test_data::package_files());
+  const Totals totals = test_files(test_data::package_files(), 10);
   // that much is there to be tested
   CHECK(totals.connections.possible >= 900 && totals.cycles.possible >= 45);
   CHECK(totals.connections.failed_naively >= 850 && totals.cycles.failed_naively >= 45);
-  test_files(test_data::fifth_of_further_files("uv", ".obj"));
+  test_files(test_data::fifth_of_further_files("uv", ".obj"),
+             std::size_t(test_data::trials(10)));
   return report_checks();
 }

@@ -16,6 +16,12 @@
 
 namespace test_data {
 
+// Whether the environment asks for all tests.
+inline bool are_tests_long() { return std::getenv("SEAMLESS_SNAPPING_LONG_TESTS") != nullptr; }
+
+// How many of so many random trials a test makes: a quarter, unless the environment asks for all.
+inline int trials(const int all) { return are_tests_long() ? all : (all + 3) / 4; }
+
 // The files of a folder with the given suffix, by name.
 inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
                                                    const std::string& suffix)
@@ -80,7 +86,7 @@ inline std::vector<std::filesystem::path> fifth_of_further_files(const std::stri
                                                                  const std::string& suffix)
 {
   const auto files = further_files(part, suffix);
-  if(std::getenv("SEAMLESS_SNAPPING_LONG_TESTS") != nullptr)
+  if(are_tests_long())
     return files;
   std::vector<std::filesystem::path> result;
   for(std::size_t i = 0; i < files.size(); i += 5)

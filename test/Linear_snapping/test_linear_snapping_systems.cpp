@@ -290,6 +290,7 @@ void test_random_systems(const std::string& name, std::uint64_t first_seed, int 
                          std::size_t largest)
 {
   Tally tally;
+  count = test_data::trials(count);
   for(int i = 0; i < count; ++i)
     test_random_system<Number>(first_seed + std::uint64_t(i), largest, tally);
   print(name + ", seeds " + std::to_string(first_seed) + " to "
