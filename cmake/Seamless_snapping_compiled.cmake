@@ -7,9 +7,11 @@ set(Seamless_snapping_parts surfaces volumes)
 set(Isocurves_and_layouts_parts layouts)
 set(Quad_remeshing_parts quads)
 set(Hexahedral_meshing_parts hexahedra)
-set(linear Linear_snapping/internal/linear/Linear_solver
+set(linear Linear_snapping/internal/exact/Uv
+  Linear_snapping/internal/linear/Linear_solver
   Linear_snapping/internal/linear/System_builder
-  Linear_snapping/internal/linear/snap_values)
+  Linear_snapping/internal/linear/snap_values
+  Linear_snapping/types/Message)
 set(surfaces Seamless_snapping/internal/complex/Free_unknowns
   Seamless_snapping/internal/mesh/estimate_seams
   Seamless_snapping/internal/mesh/hint_on_symmetry

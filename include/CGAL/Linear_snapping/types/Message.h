@@ -18,7 +18,6 @@
 // The message of a report. Elements, parameters, and remedies are data in it, so that programs with
 // other names for them make a sentence of the same data, and search no text.
 
-#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -59,21 +58,11 @@ public:
 
   /// \cond SKIP_IN_MANUAL
   Message() = default;
-  Message(const char* const text) : Message(std::string(text)) { }
-  Message(std::string text)
-  {
-    if(!text.empty())
-      m_parts.push_back({TEXT, std::move(text)});
-  }
-  Message(const Kind kind, std::string words, const std::size_t index = 0)
-    : m_parts{{kind, std::move(words), index}}
-  { }
+  Message(const char* text);
+  Message(std::string text);
+  Message(Kind kind, std::string words, std::size_t index = 0);
 
-  Message& operator+=(const Message& other)
-  {
-    m_parts.insert(m_parts.end(), other.m_parts.begin(), other.m_parts.end());
-    return *this;
-  }
+  Message& operator+=(const Message& other);
   friend Message operator+(Message a, const Message& b) { return std::move(a += b); }
   friend std::ostream& operator<<(std::ostream& os, const Message& m) { return os << m.str(); }
   friend bool operator==(const Message& a, const Message& b) { return a.str() == b.str(); }
@@ -81,13 +70,7 @@ public:
   static constexpr std::size_t npos = std::string::npos;
   std::size_t find(const std::string& text) const { return str().find(text); }
 
-  Message without_remedies() const
-  {
-    Message result;
-    result.m_parts.assign(m_parts.begin(), std::find_if(m_parts.begin(), m_parts.end(),
-                          [](const Part& part) { return part.kind == REMEDY; }));
-    return result;
-  }
+  Message without_remedies() const;
 
   // \param number a callable that returns the number of an element of this kind by its index
   template <typename Number>
@@ -105,11 +88,7 @@ public:
   const std::vector<Part>& parts() const { return m_parts; }
 
   /// returns the sentence in words of C++.
-  std::string str() const
-  {
-    return str([](const Part& part) { return part.words; },
-               [](const Part& part) { return part.index; });
-  }
+  std::string str() const;
 
   /*!
   returns the sentence in words of another language.
@@ -139,5 +118,11 @@ private:
 
 } // namespace Linear_snapping
 } // namespace CGAL
+
+#ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
+extern template class std::vector<CGAL::Linear_snapping::Message::Part>;
+#else
+#include <CGAL/Linear_snapping/types/Message_impl.h>
+#endif
 
 #endif // CGAL_LINEAR_SNAPPING_TYPES_MESSAGE_H

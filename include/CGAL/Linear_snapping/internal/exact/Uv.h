@@ -22,7 +22,6 @@
 #include <CGAL/determinant.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/predicates/sign_of_determinant.h>
 
 #include <algorithm>
 #include <array>
@@ -82,18 +81,17 @@ inline bool is_surely_positive(const Uv_triangle& t, const double reach)
          2.001 * reach * (a + b) + 8.01 * reach * reach + 1e-15 * a * b + 1e-300;
 }
 
-// The sign of the area, exactly. The number type is the one that CGAL's predicates use if their
-// intervals do not decide; CGAL's kernel would take longer to compile than all else here.
+// The sign of the area, without a look at the floating point number.
+CGAL::Orientation exact_orientation(const Uv_triangle& t);
+
+// The sign of the area, exactly.
 inline CGAL::Orientation orientation(const Uv_triangle& t)
 {
   if(is_surely_positive(t, 0))
     return CGAL::POSITIVE;
   if(is_surely_positive({{t[0], t[2], t[1]}}, 0))
     return CGAL::NEGATIVE;
-  using Number = CGAL::internal::Exact_ring_selector<double>::Type;
-  const Number x(t[0][0]), y(t[0][1]);
-  return CGAL::sign_of_determinant<Number>(Number(t[1][0]) - x, Number(t[1][1]) - y,
-                                           Number(t[2][0]) - x, Number(t[2][1]) - y);
+  return exact_orientation(t);
 }
 
 using Uvw_tetrahedron = std::array<Uvw, 4>;
@@ -148,5 +146,9 @@ constexpr const char* remedy_for_mirrored_maps =
 } // namespace internal
 } // namespace Linear_snapping
 } // namespace CGAL
+
+#ifndef CGAL_SEAMLESS_SNAPPING_COMPILED
+#include <CGAL/Linear_snapping/internal/exact/Uv_impl.h>
+#endif
 
 #endif // CGAL_LINEAR_SNAPPING_INTERNAL_EXACT_UV_H
