@@ -68,17 +68,23 @@ foreach(part IN LISTS parts)
   seamless_snapping_use_precompiled(seamless_snapping_${part})
 endforeach()
 
-# For sources of a target that share such a part. They include its header, which would take time in
-# all others; as it has to follow the precompiled headers, no option of the compiler includes it.
-function(seamless_snapping_share target part)
-  target_link_libraries(${target} PRIVATE seamless_snapping_${part})
+# For sources of a target that share such parts. They include their headers, which would take time
+# in all others; as these have to follow the precompiled headers, no option of the compiler includes
+# them.
+function(seamless_snapping_share target parts)
+  set(includes "")
+  foreach(part IN LISTS parts)
+    target_link_libraries(${target} PRIVATE seamless_snapping_${part})
+    string(APPEND includes
+      "#include \"${Seamless_snapping_SOURCE_DIR}/cmake/precompiled/${part}.h\"\n")
+  endforeach()
+  list(JOIN parts "_and_" name)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS ARGN)
-    set(unit "${CMAKE_CURRENT_BINARY_DIR}/with_${part}/${source}")
+    set(unit "${CMAKE_CURRENT_BINARY_DIR}/with_${name}/${source}")
     file(GENERATE OUTPUT "${unit}" CONTENT
-      "#include \"${Seamless_snapping_SOURCE_DIR}/cmake/precompiled/${part}.h\"\n\
-#include \"${CMAKE_CURRENT_SOURCE_DIR}/${source}\"\n")
-    set_source_files_properties("${unit}" PROPERTIES UNITY_GROUP with_${part})
+      "${includes}#include \"${CMAKE_CURRENT_SOURCE_DIR}/${source}\"\n")
+    set_source_files_properties("${unit}" PROPERTIES UNITY_GROUP with_${name})
     list(REMOVE_ITEM sources "${source}")
     list(APPEND sources "${unit}")
   endforeach()

@@ -1,13 +1,13 @@
 # Several programs as one source, so that what they share is compiled once: their includes, then the
 # code of each in a namespace of its own. The program that is called is the one whose name it has.
-# Run while building, with the variables OUTPUT, FIRST (a header, or empty) and SOURCES.
+# Run while building, with the variables OUTPUT, FIRST (headers) and SOURCES.
 
 cmake_minimum_required(VERSION 3.16...3.29)
 
 set(includes "")
-if(FIRST)
-  set(includes "#include \"${FIRST}\"\n")
-endif()
+foreach(header IN LISTS FIRST)
+  string(APPEND includes "#include \"${header}\"\n")
+endforeach()
 set(programs "")
 set(calls "")
 foreach(source IN LISTS SOURCES)

@@ -8,9 +8,9 @@ function(seamless_snapping_test name)
     ENVIRONMENT "SEAMLESS_SNAPPING_DATA_DIR=${SEAMLESS_SNAPPING_DATA_DIR}")
 endfunction()
 
-# Tests that share much are compiled together, as tests_of_GROUP; with precompiled PART, if it is
-# not empty, and with EXAMPLES of the package. A compiler takes up to 3.5 GB for each group.
-function(seamless_snapping_tests group part)
+# Tests that share much are compiled together, as tests_of_GROUP; with the precompiled PARTS, and
+# with EXAMPLES of the package. A compiler takes up to 4 GB for each group.
+function(seamless_snapping_tests group parts)
   cmake_parse_arguments(PARSE_ARGV 2 with "" "" EXAMPLES)
   get_filename_component(folder "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
   set(examples ${with_EXAMPLES})
@@ -22,7 +22,7 @@ function(seamless_snapping_tests group part)
   string(TOLOWER "test_${prefix}_" prefix)
   set(sources ${with_UNPARSED_ARGUMENTS})
   list(TRANSFORM sources REPLACE "(.+)" "${prefix}\\1.cpp")
-  seamless_snapping_programs(tests_of_${group} "${part}" ${sources} ${examples})
+  seamless_snapping_programs(tests_of_${group} "${parts}" ${sources} ${examples})
   foreach(name IN LISTS with_UNPARSED_ARGUMENTS)
     seamless_snapping_test(${prefix}${name})
   endforeach()
