@@ -664,7 +664,7 @@ class Quad_search
       {"the best of several maps", &S::is_coarse_and_bad, room, true, 0., &S::has_fewer_bad},
       {"a quarter more quads", &S::has_few_and_bad, room, true, 1.25, &S::has_none_bad},
       {"a half more quads", &S::has_few_and_bad, room, true, 1.5, &S::has_none_bad},
-      {"twice as many quads", &S::has_few_and_bad, room, true, 2., &S::has_none_bad},
+      {"nearly twice as many quads", &S::has_few_and_bad, room, true, 1.9, &S::has_none_bad},
       {"the input as it is", &S::has_no_quads, Room::NONE, false, {}, &S::is_any}
     }};
   }
