@@ -64,13 +64,14 @@ double number_for_topology(const Mesh& mesh)
   return of_part * parts + double(quads_of_handle) * handles;
 }
 
+// A result of more quads is no success: nothing in the input forces so many.
+template <typename Mesh>
+double largest_number_of_quads(const Mesh& mesh, const double wanted, const std::size_t forced)
+{ return 2 * (std::max)({wanted, double(forced), number_for_topology(mesh)}); }
+
 template <typename Mesh>
 bool has_too_many_quads(const Mesh& quads, const double wanted, const std::size_t forced)
-{
-  const double number = double(quads.number_of_faces());
-  return number > 2 * (std::max)(wanted, double(forced)) &&
-         number > 2 * number_for_topology(quads);
-}
+{ return double(quads.number_of_faces()) > largest_number_of_quads(quads, wanted, forced); }
 
 } // namespace internal
 } // namespace Quad_remeshing

@@ -278,7 +278,8 @@ private:
   }
 
   // Between features or cones, few quads may have a bad shape where a few more have a good one:
-  // larger numbers of the same map are choices, too.
+  // larger numbers of the same map are choices, too. They stay below the largest number that is a
+  // success, unless the fewest quads do not.
   void add_larger_numbers()
   {
     constexpr double good_shape = 0.9; // a mean scaled Jacobian
@@ -296,14 +297,18 @@ private:
     options.maximum_feature_loss = 0; // the features that it lets go are released already
     const double number = (std::max)(options.number_of_quads,
                                      double(first.quantization.number_of_quads));
+    const double most = largest_number_of_quads(m_run.mesh(), options.number_of_quads,
+                                                first.quantization.number_of_forced_quads);
     for(int i = 1; !is_good && i <= most_steps && m_choices.size() < Map_quantizer::most_choices &&
                    m_run.work.is_left(); ++i) {
       options.number_of_quads = (1 + 0.1 * i) * number;
       State larger = first;
       larger.quantization = quantize_again(first.quantization, options);
       larger.quantization.released_features = first.quantization.released_features;
-      if(larger.quantization && larger.quantization.number_of_quads >
-                                  m_choices.back().quantization.number_of_quads)
+      const double of_larger = double(larger.quantization.number_of_quads);
+      if(larger.quantization &&
+         of_larger > double(m_choices.back().quantization.number_of_quads) &&
+         (of_larger <= most || number > most))
         m_choices.push_back(larger);
     }
     m_run.timer.finish("quantization");
@@ -650,7 +655,7 @@ class Quad_search
     bool (Quad_search::*mends)() const; // whether the best result asks for it
     Room room;
     bool has_straight_border;
-    std::optional<double> number;      // of quads, as a part of the first number; else as wanted
+    std::optional<double> part; // of the way to the largest number of quads; else as many as wanted
     bool (Quad_search::*may_take)(const Remeshing_report&) const; // even if it is better
   };
 
@@ -662,9 +667,9 @@ class Quad_search
       {"room in all triangles", &S::has_flaws, Room::IN_ALL_TRIANGLES, true, {}, &S::is_any},
       {"the border as it is", &S::has_flaws_at_border, room, false, {}, &S::has_hardly_more_quads},
       {"the best of several maps", &S::is_coarse_and_bad, room, true, 0., &S::has_fewer_bad},
-      {"a quarter more quads", &S::has_few_and_bad, room, true, 1.25, &S::has_none_bad},
-      {"a half more quads", &S::has_few_and_bad, room, true, 1.5, &S::has_none_bad},
-      {"nearly twice as many quads", &S::has_few_and_bad, room, true, 1.9, &S::has_none_bad},
+      {"a quarter more quads", &S::has_few_and_bad, room, true, 0.3, &S::has_none_bad},
+      {"a half more quads", &S::has_few_and_bad, room, true, 0.6, &S::has_none_bad},
+      {"nearly twice as many quads", &S::has_few_and_bad, room, true, 1., &S::has_none_bad},
       {"the input as it is", &S::has_no_quads, Room::NONE, false, {}, &S::is_any}
     }};
   }
@@ -737,6 +742,18 @@ private:
   bool has_fewer_bad(const Remeshing_report& r) const
   { return r && r.number_of_bad_quads() < m_best.number_of_bad_quads(); }
 
+  // A part of the way from the fewest quads to nearly the largest number that is a success, or to
+  // twice the fewest quads if these are more. No part: as few as can be.
+  double number_of_quads(const double part) const
+  {
+    constexpr double nearly = 0.95;
+    const double fewest = double(m_fewest->number_of_quads);
+    const double most = m_options.quantization.is_coarsest ? 0 :
+      nearly * largest_number_of_quads(m_input.mesh, m_options.quantization.number_of_quads,
+                                       m_fewest->number_of_forced_quads);
+    return part == 0 ? 1 : fewest + part * ((fewest < most ? most : 2 * nearly * fewest) - fewest);
+  }
+
   // Quads that were made before stay if they are better, or if the new quads are more
   // where there are to be as few as can be.
   void run(const Move& move)
@@ -749,12 +766,11 @@ private:
     Remeshing_options options = m_options;
     if(!move.has_straight_border)
       options.border_tolerance = 0;
-    if(move.number) {
+    if(move.part) {
       if(!m_fewest)
         m_fewest = m_best;
       options.quantization.is_coarsest = false;
-      options.quantization.number_of_quads =
-        (std::max)(1., *move.number * double(m_fewest->number_of_quads));
+      options.quantization.number_of_quads = number_of_quads(*move.part);
     }
     Progress::tell([&] { return std::string("again, with ") + move.choice; });
     const double unit = m_best && options.quantization.is_coarsest
@@ -765,7 +781,7 @@ private:
     const bool is_taken = make_others([&](auto& mesh, const auto& is_kept)
                                       { return remesh_surface(surface, options, mesh, is_kept); },
                                       replaces, m_quads, m_is_feature, m_best);
-    if(is_taken && move.number) {
+    if(is_taken && move.part) {
       m_best.message = m_fewest->message; // which tells why there are so many
       add_note(m_best, std::to_string(m_fewest->number_of_quads) + " quads were found, too, " +
                        std::to_string(m_fewest->number_of_bad_quads()) +
