@@ -21,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
@@ -778,8 +777,7 @@ void test_file(const std::string& path)
 // reduced where that time is asked for.
 bool takes_long(const std::string& path)
 {
-  return path.find("random_560x700_8") != std::string::npos &&
-         std::getenv("SEAMLESS_SNAPPING_LONG_TESTS") == nullptr;
+  return path.find("random_560x700_8") != std::string::npos && !test_data::are_tests_long();
 }
 
 void test_files()

@@ -34,7 +34,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <memory>
@@ -764,7 +763,7 @@ void test_forms_of_files(const std::vector<std::filesystem::path>& files, const 
 // The small ones, or all of them at three sizes: that takes minutes.
 void test_forms_of_files()
 {
-  const bool is_long = std::getenv("SEAMLESS_SNAPPING_LONG_TESTS") != nullptr;
+  const bool is_long = test_data::are_tests_long();
   std::vector<std::filesystem::path> files = test_data::package_files();
   for(const auto& file : test_data::further_files("uv", ".obj"))
     if(is_long || std::filesystem::file_size(file) < 120000)
