@@ -667,9 +667,9 @@ class Quad_search
       {"room in all triangles", &S::has_flaws, Room::IN_ALL_TRIANGLES, true, {}, &S::is_any},
       {"the border as it is", &S::has_flaws_at_border, room, false, {}, &S::has_hardly_more_quads},
       {"the best of several maps", &S::is_coarse_and_bad, room, true, 0., &S::has_fewer_bad},
-      {"a quarter more quads", &S::has_few_and_bad, room, true, 0.3, &S::has_none_bad},
-      {"a half more quads", &S::has_few_and_bad, room, true, 0.6, &S::has_none_bad},
-      {"nearly twice as many quads", &S::has_few_and_bad, room, true, 1., &S::has_none_bad},
+      {"some more quads", &S::has_few_and_bad, room, true, 0.3, &S::has_none_bad},
+      {"more quads", &S::has_few_and_bad, room, true, 0.6, &S::has_none_bad},
+      {"nearly as many quads as may be", &S::has_few_and_bad, room, true, 1., &S::has_none_bad},
       {"the input as it is", &S::has_no_quads, Room::NONE, false, {}, &S::is_any}
     }};
   }
@@ -746,12 +746,18 @@ private:
   // twice the fewest quads if these are more. No part: as few as can be.
   double number_of_quads(const double part) const
   {
-    constexpr double nearly = 0.95;
+    constexpr double nearly = 0.95; // of a number: quantizations may have some more quads
+    if(part == 0)
+      return 1;
     const double fewest = double(m_fewest->number_of_quads);
-    const double most = m_options.quantization.is_coarsest ? 0 :
-      nearly * largest_number_of_quads(m_input.mesh, m_options.quantization.number_of_quads,
-                                       m_fewest->number_of_forced_quads);
-    return part == 0 ? 1 : fewest + part * ((fewest < most ? most : 2 * nearly * fewest) - fewest);
+    double largest = 2 * fewest;
+    if(!m_options.quantization.is_coarsest) {
+      const double of_success = largest_number_of_quads(
+        m_input.mesh, m_options.quantization.number_of_quads, m_fewest->number_of_forced_quads);
+      if(fewest < nearly * of_success)
+        largest = of_success;
+    }
+    return fewest + part * (nearly * largest - fewest);
   }
 
   // Quads that were made before stay if they are better, or if the new quads are more
