@@ -726,6 +726,23 @@ seamless(1 quads genus2.obj quads.obj --grid-scale 2 --rounding 99)
 expect_message("${err}" "try --repair-flips, or leave out the quads around these faces")
 expect("written all the same" NOT EXISTS "${WORK_DIR}/quads.obj")
 
+# the repair of a fold leaves quads of the map inverted, but not of a quantization
+file(READ "${DATA_DIR}/genus0_features.obj" text)
+foreach(pair IN ITEMS "2.5037344573101326 0.1456654700257479;2.68 -1.34"
+    "2.6287809396352317 0.001964006470889362;3.27 -0.268"
+    "2.423642882448294 -0.008571459676220123;4.23 -0.0996")
+  list(GET pair 0 from)
+  list(GET pair 1 to)
+  string(FIND "${text}" "vt ${from}" place)
+  expect("no coordinates ${from}" place GREATER 0)
+  string(REPLACE "vt ${from}" "vt ${to}" text "${text}")
+endforeach()
+file(WRITE "${WORK_DIR}/folded.obj" "${text}")
+seamless(0 quads folded.obj folded_quads.obj --repair-flips --grid-scale 4)
+expect_message("${out}" "of a quantization, because repairs of flipped faces leave")
+seamless(1 quads folded.obj folded_quads.obj --grid-scale 4)
+seamless(0 quads folded.obj folded_quads.obj --repair-flips --grid-scale 4 --soup)
+
 # numbers of quads: not more where fewer are wanted, and as few as can be
 set(least 0)
 foreach(wanted IN ITEMS 1 20 100 500)

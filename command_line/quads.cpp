@@ -209,7 +209,7 @@ void write_summary(std::ostream& os, const Quad_options& options, const Model& m
   if(result.topologies)
     os << ", " << counted(result.number_of_irregular_vertices, "irregular vertex");
   os << "\n";
-  if(options.number > 0)
+  if(options.number > 0 || !result.is_rounded())
     os << "integers: " << in_words_of_user(result.integers, model) << "\n";
   write_flip_repairs(os, result.repaired);
   if(result.is_rounded())

@@ -17,14 +17,15 @@ namespace QR = CGAL::Quad_remeshing;
 namespace {
 
 std::string counted_quads(const std::size_t number)
-{ return std::to_string(number) + (number == 1 ? " quad was" : " quads were"); }
+{ return std::to_string(number) + (number == 1 ? " quad" : " quads"); }
 
 class Map_quad_maker
 {
 public:
   Map_quad_maker(const Map_quad_options& options, Mesh& mesh, const Uv_map uv_map,
                  const Edge_bool_map is_feature)
-    : m_options(options), m_mesh(mesh), m_uv_map(uv_map), m_is_feature(is_feature)
+    : m_options(options), m_number(options.number), m_mesh(mesh), m_uv_map(uv_map),
+      m_is_feature(is_feature)
   {
     for(const Halfedge h : mesh.halfedges())
       m_input.push_back(uv_map[h]);
@@ -32,26 +33,50 @@ public:
 
   Map_quads run()
   {
-    if(m_options.number == 0)
-      return extract_rounded(m_options.rounding.value_or(0.01));
-    return make_number_of_quads();
+    if(m_number > 0)
+      return make_number_of_quads();
+    Map_quads result = extract_rounded(m_options.rounding.value_or(0.01));
+    if(result.repaired.run.number_of_repaired_flips > 0 && !m_options.soup && !is_good(result))
+      quantize_repaired(result);
+    return result;
   }
 
 private:
+  static bool is_good(const Map_quads& result)
+  { return result.report && result.report.number_of_inverted_quads == 0; }
+
+  // Repairs of flips can leave cones no space for their quads: if the integers of the map hold these
+  // cones where they are. A quantization of about as many quads moves them.
+  void quantize_repaired(Map_quads& result)
+  {
+    const auto [area, exponent] = area_in_domain(m_mesh, m_uv_map, true);
+    m_number = std::round(std::ldexp(area, 2 * exponent));
+    restore();
+    Map_quads other;
+    const std::string why = ", because repairs of flipped faces leave " +
+      (result.report ? counted_quads(result.report.number_of_inverted_quads) + " inverted in the map"
+                     : "the map no mesh of quads");
+    if(m_number >= 1 && has_aligned_border())
+      if(const QR::Quantization quantization = quantize(other))
+        extract_quantized(quantization, other, why);
+    if(is_good(other))
+      result = std::move(other);
+  }
+
   Map_quads make_number_of_quads()
   {
     constexpr double tolerance = 0.05;
     Map_quads near_by = extract_near_by();
     const double number = static_cast<double>(near_by.report.number_of_faces);
     const bool is_near =
-      near_by.report && std::abs(number / m_options.number - 1) <= tolerance;
+      near_by.report && std::abs(number / m_number - 1) <= tolerance;
     const bool is_aligned = has_aligned_border();
     Map_quads result;
     QR::Quantization quantization;
     if(is_aligned)
       quantization = quantize(result);
     const double least = static_cast<double>(quantization.number_of_quads);
-    const bool is_chosen = is_near && !(quantization && least > (1 + tolerance) * m_options.number);
+    const bool is_chosen = is_near && !(quantization && least > (1 + tolerance) * m_number);
     const std::size_t number_inverted = near_by.report.number_of_inverted_quads;
     if(quantization && !(is_chosen && number_inverted == 0))
       extract_quantized(quantization, result);
@@ -116,11 +141,11 @@ private:
   // seams are, whose refusal users are to see.
   double scale() const
   {
-    if(m_options.number == 0)
+    if(m_number == 0)
       return m_options.grid_scale;
     const auto [area, exponent] = area_in_domain(m_mesh, m_uv_map, m_options.allow_holes);
     if(area > 0)
-      return std::ldexp(std::sqrt(m_options.number / area), -exponent);
+      return std::ldexp(std::sqrt(m_number / area), -exponent);
     QR::Snapping_report report;
     report.status = QR::Outcome::NOT_POSITIVE;
     report.message =
@@ -177,7 +202,7 @@ private:
       return QR::quantize(m_mesh, m_uv_map,
                           QR::parameters::edge_is_constrained_map(m_is_feature)
                             .needs_face_graph(!m_options.soup)
-                            .target_number_of_quads(static_cast<std::size_t>(m_options.number)));
+                            .target_number_of_quads(static_cast<std::size_t>(m_number)));
     };
     const QR::Quantization quantization = snap_and_quantize(flip_repair());
     if(quantization.nonpositive_faces.empty() || m_options.repair_flips)
@@ -211,9 +236,11 @@ private:
 
   // Smooths the quads if some are inverted otherwise: if the map is much distorted, or two sides of a
   // quad follow one edge of the border.
-  void extract_quantized(const QR::Quantization& quantization, Map_quads& result) const
+  // \param why there is a quantization, if users do not expect one
+  void extract_quantized(const QR::Quantization& quantization, Map_quads& result,
+                         const std::string& why = "") const
   {
-    result.integers = "of a quantization";
+    result.integers = "of a quantization" + why;
     if(!quantization.message.empty())
       result.integers += "; " + quantization.message;
     extract(result, QR::parameters::default_values(), quantization, m_mesh);
@@ -226,7 +253,8 @@ private:
     if(has_steps)
       result.integers += ", and edges next to the border moved";
     if(number > 0)
-      result.integers += ", because " + counted_quads(number) + " inverted";
+      result.integers += ", because " + counted_quads(number) + (number == 1 ? " was" : " were") +
+                         " inverted";
   }
 
   // Makes the quads of the same quantization in a better shape.
@@ -249,6 +277,7 @@ private:
   }
 
   const Map_quad_options& m_options;
+  double m_number; // of quads; 0 for the cells of the map as it is
   Mesh& m_mesh;
   Uv_map m_uv_map;
   const Edge_bool_map m_is_feature;

@@ -70,6 +70,8 @@ struct Not_snapped
 // - or a quantization, also if it can't make so few, so that it never makes more quads than for a
 //   larger number, and if fewer quads are inverted in it;
 // - or, if faces are flipped, integers at any distance.
+// Without a number, the function takes a quantization of about as many quads as the map has cells if
+// repairs of flipped faces leave inverted quads, or no mesh.
 // If the border is not meant to be aligned, a quantization comes last, because it follows the border
 // edge by edge: if there are no quads otherwise, or they leave out more than half of the area.
 // \param uv_map is snapped, or has other coordinates afterwards

@@ -40,7 +40,8 @@ def extract_quads(V, F, uv, quads=None, *, grid_scale=1, rounding=None, features
     align_border : bool
         whether border edges that are nearly on isocurves become edges of quads
     repair_flips : bool
-        whether to repair triangles that are flipped in the plane
+        whether to repair triangles that are flipped in the plane. If that inverts quads of the map, about
+        as many quads are made of other whole numbers.
     allow_holes : bool
         whether to leave out the quads around triangles that are still flipped, instead of refusing
     weld : bool
