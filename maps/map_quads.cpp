@@ -36,7 +36,8 @@ public:
     if(m_number > 0)
       return make_number_of_quads();
     Map_quads result = extract_rounded(m_options.rounding.value_or(0.01));
-    if(result.repaired.run.number_of_repaired_flips > 0 && !m_options.soup && !is_good(result))
+    if(m_options.repair_flips && result.repaired.run.number_of_repaired_flips > 0 &&
+       !m_options.soup && !is_good(result))
       quantize_repaired(result);
     return result;
   }
