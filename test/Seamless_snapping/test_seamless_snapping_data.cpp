@@ -9,7 +9,6 @@
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
 #include <CGAL/Seamless_snapping/seam_transitions.h>
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Timer.h>
 
 #include <filesystem>
@@ -23,20 +22,12 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
 using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
-// The orientations of all faces: signs of determinants in rational numbers, while the package asks
-// the predicates of a kernel.
+// The orientations of all faces: exact, while the package asks the predicates of a kernel.
 std::vector<CGAL::Orientation> orientations(const Mesh& mesh, const UV_map& uv)
 {
-  using Number = CGAL::Exact_rational;
   std::vector<CGAL::Orientation> result;
-  for(const auto f : mesh.faces()) {
-    const auto h = mesh.halfedge(f);
-    const auto a = uv[mesh.prev(h)], b = uv[h], c = uv[mesh.next(h)];
-    const Number bx = Number(b.x()) - Number(a.x()), by = Number(b.y()) - Number(a.y());
-    const Number cx = Number(c.x()) - Number(a.x()), cy = Number(c.y()) - Number(a.y());
-    const Number left(bx * cy), right(by * cx);
-    result.push_back(CGAL::compare(left, right));
-  }
+  for(const auto f : mesh.faces())
+    result.push_back(CGAL::Orientation(exact_check::face_orientation(f, mesh, uv)));
   return result;
 }
 
