@@ -57,7 +57,7 @@ void test_transitions(const Integer_matrix<2>& turn)
       is_finite = is_finite && std::isfinite(u[0]) && std::isfinite(u[1]);
     if(!is_finite)
       continue;
-    overflows += Edge_vectors(sides).are_valid() ? 0 : 1;
+    overflows += Side_vectors<Group>(sides).are_valid() ? 0 : 1;
     bool any = false;
     const Exact_point opposite_side = difference(sides.b_opposite, sides.a_opposite);
     for(int k = 0; k < N; ++k) {

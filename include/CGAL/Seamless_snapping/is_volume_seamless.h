@@ -58,13 +58,10 @@ inline void measure_constraints(const Flat_volume& volume, Volume_seamlessness& 
   result.number_of_mismatched_facets = volume.open_facets.size();
   for(const Corner_index facet : volume.open_facets) {
     const Facet_vectors vectors(volume.sides(facet));
-    if(vectors.match_some())
+    if(vectors.exact_fit())
       continue;
     ++result.number_of_inexact_facets;
-    double least = vectors.residual(0);
-    for(int g = 1; g < Cube_rotations::order; ++g)
-      least = (std::min)(least, vectors.residual(g));
-    result.violation = (std::max)(result.violation, least);
+    result.violation = (std::max)(result.violation, vectors.residual(vectors.best_fit()));
   }
   const auto add_misalignment = [&](const double miss) {
     result.number_of_misalignments += std::size_t(miss != 0);

@@ -180,17 +180,13 @@ private:
     std::vector<Corner_index> inexact, off_grid;
     for(std::size_t i = 0; i < size; ++i) {
       const Corner_index facet = m_volume.open_facets[i];
-      const Facet_vectors vectors(m_volume.sides(facet));
-      int g = 0;
-      while(g < Group::order && !vectors.match(g))
-        ++g;
-      if(g == Group::order) {
+      if(const auto g = Facet_vectors(m_volume.sides(facet)).exact_fit()) {
+        m_transitions.element[i] = *g;
+        if(translation_distance(m_volume, facet, *g, m_volume.coordinates) != 0)
+          off_grid.push_back(facet);
+      } else {
         inexact.push_back(facet);
-        continue;
       }
-      m_transitions.element[i] = g;
-      if(translation_distance(m_volume, facet, g, m_volume.coordinates) != 0)
-        off_grid.push_back(facet);
     }
     if(!inexact.empty())
       return Refusal(Outcome::NOT_SEAMLESS, "the two sides of " +

@@ -85,19 +85,20 @@ inline double unit_scale(const double extent)
 
 // Measures [MC19] Eq. (4) for one rotation. \pre the coordinates are in range
 template <typename Group>
-void set_rotation(Measured_edge& edge, const Edge_vectors& vectors,
+void set_rotation(Measured_edge& edge, const Side_vectors<Group>& vectors,
                   const typename Group::Element g, const double scale)
 {
   edge.rotation = g;
-  edge.is_exact = vectors.match<Group>(g);
-  edge.residual = edge.is_exact ? 0 : vectors.residual<Group>(g, scale);
+  edge.is_exact = vectors.match(g);
+  edge.residual = edge.is_exact ? 0 : vectors.residual(g, scale);
 }
 
 template <typename Group>
-void measure_length_and_gap(Measured_edge& edge, const Edge_vectors& vectors, const double scale)
+void measure_length_and_gap(Measured_edge& edge, const Side_vectors<Group>& vectors,
+                            const double scale)
 {
   const Edge_sides& sides = edge.sides;
-  edge.length = vectors.length<Group>(scale);
+  edge.length = vectors.length(scale);
   const auto gap = [&](const Uv& u, const Uv& v) {
     return scale * Group::norm({u[0] - v[0], u[1] - v[1]});
   };

@@ -178,7 +178,7 @@ private:
       return true;
     if(edge.length > 4 * m_noise[i]) // all others miss by more than this
       return false;
-    const double residual = Edge_vectors(edge.sides).residual<Group>(g, m_options.scale);
+    const double residual = Side_vectors<Group>(edge.sides).residual(g, m_options.scale);
     return is_noise(residual, i) && residual <= m_options.tolerance;
   }
 
@@ -189,7 +189,7 @@ private:
   }
 
   void turn(const std::size_t i, const Element g)
-  { set_rotation<Group>(m_edges[i], Edge_vectors(m_edges[i].sides), g, m_options.scale); }
+  { set_rotation(m_edges[i], Side_vectors<Group>(m_edges[i].sides), g, m_options.scale); }
 
   void set_decided(const std::size_t i)
   {

@@ -116,12 +116,11 @@ double transition_violation(const Edge_sides& sides,
                             const Given_transitions<Group, Halfedge>& given, const Halfedge h,
                             const double scale)
 {
-  const Edge_vectors vectors(sides);
+  const Side_vectors<Group> vectors(sides);
   const bool is_known = given.has_rotations() || (given.has_cuts() && !given.is_cut(h));
   Measured_edge edge;
-  set_rotation<Group>(edge, vectors, is_known ? given.rotation(h)
-                                              : vectors.best_fit<Group>(scale, given.order()),
-                      scale);
+  set_rotation(edge, vectors,
+               is_known ? given.rotation(h) : vectors.best_fit(scale, given.order()), scale);
   return edge.residual;
 }
 
@@ -170,12 +169,12 @@ private:
 
   bool read_rotation_of(Mismatched_edge<Halfedge>& edge, Data& data) const
   {
-    const Edge_vectors vectors(edge.sides);
-    measure_length_and_gap<Group>(edge, vectors, m_scale);
+    const Side_vectors<Group> vectors(edge.sides);
+    measure_length_and_gap(edge, vectors, m_scale);
     edge.is_cut = !m_given.has_cuts() || m_given.is_cut(edge.halfedge);
     if(m_given.has_rotations()) {
       const auto g = m_given.rotation(edge.halfedge);
-      set_rotation<Group>(edge, vectors, g, m_scale);
+      set_rotation(edge, vectors, g, m_scale);
       if(g != Group::inverse(m_given.rotation(m_surface.opposite(edge.halfedge)))) {
         fail(data, Outcome::INVALID_ROTATIONS, edge.halfedge,
              " has rotations that are not inverse to each other; rotations of opposite halfedges "
@@ -188,9 +187,9 @@ private:
         return false;
       }
     } else {
-      set_rotation<Group>(edge, vectors,
-                          edge.is_cut ? vectors.best_fit<Group>(m_scale, m_given.order())
-                                      : Group::identity(), m_scale);
+      set_rotation(edge, vectors,
+                   edge.is_cut ? vectors.best_fit(m_scale, m_given.order()) : Group::identity(),
+                   m_scale);
     }
     return true;
   }

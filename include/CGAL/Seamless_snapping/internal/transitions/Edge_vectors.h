@@ -15,8 +15,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The two sides of an edge, and which transition takes the one to the other: [MC19] Eq. (4),
-// exactly. The rest is floating point: how far a transition misses, and which misses least.
+// The two sides of an edge between triangles, or of a facet between tetrahedra, and which
+// transition takes the one to the other: [MC19] Eq. (4), exactly. The rest is floating point: how
+// far a transition misses, and which misses least.
 
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
@@ -27,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace CGAL {
 namespace Seamless_snapping {
@@ -48,69 +50,115 @@ struct Edge_sides
   Edge_sides turned() const { return {b_opposite, a_opposite, b, a}; }
 };
 
-// The vectors from a to b on both sides of an edge, without their rounding errors.
-class Edge_vectors
+// The coordinates of the vertices of a facet, in the charts of both cells.
+struct Facet_sides
 {
+  std::array<Uvw, 3> here, there;
+
+  // The largest difference of a coordinate: by how much the identity without translation misses.
+  double difference() const
+  {
+    double largest = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      for(std::size_t c = 0; c < 3; ++c)
+        largest = (std::max)(largest, std::abs(here[i][c] - there[i][c]));
+    return largest;
+  }
+};
+
+// The vectors from the first vertex to the others, on both sides, without their rounding errors.
+template <typename Group>
+class Side_vectors
+{
+  static constexpr std::size_t dimension = Group::dimension;
+  using Element = typename Group::Element;
+  using Point = std::array<double, dimension>;
+  using Points = std::array<Point, dimension>;
+
 public:
-  explicit Edge_vectors(const Edge_sides& s)
-    : m_side{{Exact_difference(s.b[0], s.a[0]), Exact_difference(s.b[1], s.a[1])}},
-      m_opposite{{Exact_difference(s.b_opposite[0], s.a_opposite[0]),
-                  Exact_difference(s.b_opposite[1], s.a_opposite[1])}}
+  explicit Side_vectors(const Edge_sides& s)
+    : Side_vectors(Points{{s.a, s.b}}, Points{{s.a_opposite, s.b_opposite}})
   { }
 
+  explicit Side_vectors(const Facet_sides& s) : Side_vectors(s.here, s.there) { }
+
+  // Whether no difference of coordinates overflows.
   bool are_valid() const
   {
-    return m_side[0].is_valid() && m_side[1].is_valid() &&
-           m_opposite[0].is_valid() && m_opposite[1].is_valid();
+    bool result = true;
+    for(const Vectors* vectors : {&m_here, &m_there})
+      for(const Vector& v : *vectors)
+        for(const double x : v.rounded)
+          result = result && std::isfinite(x);
+    return result;
   }
 
-  // Whether `g` turns the one into the other, exactly. Signs and swaps of coordinates keep the
-  // rounded part and the error apart, so that these can be compared one by one.
+  // Whether `g` turns the vectors here into the vectors there, exactly, in one coordinate of there.
+  // Signs and swaps of coordinates keep the rounded part and the error apart, so that these can be
+  // compared one by one.
   // \pre are_valid()
-  template <typename Group>
-  bool match(const typename Group::Element g) const
+  bool match(const Element g, const std::size_t c) const
   {
-    if constexpr(Group::is_signed_permutation) {
-      return Group::apply(g, rounded(m_side)) == rounded(m_opposite) &&
-             Group::apply(g, error(m_side)) == error(m_opposite);
-    } else {
-      const auto& m = Group::matrix(g);
-      for(std::size_t c = 0; c < 2; ++c) {
-        std::array<double, 6> terms{{-m_opposite[c].rounded, -m_opposite[c].error, 0, 0, 0, 0}};
-        for(std::size_t d = 0; d < 2; ++d) { // entries are -1, 0, or 1
-          terms[2 + 2 * d] = m[c][d] * m_side[d].rounded;
-          terms[3 + 2 * d] = m[c][d] * m_side[d].error;
-        }
+    for(std::size_t i = 0; i + 1 < dimension; ++i) {
+      const Vector &u = m_here[i], &v = m_there[i];
+      if constexpr(Group::is_signed_permutation) {
+        if(Group::apply(g, u.rounded)[c] != v.rounded[c] ||
+           Group::apply(g, u.error)[c] != v.error[c])
+          return false;
+      } else {
+        const auto& m = Group::matrix(g)[c]; // entries are -1, 0, or 1
+        const std::array<double, 6> terms{{-v.rounded[c], -v.error[c],
+                                           m[0] * u.rounded[0], m[0] * u.error[0],
+                                           m[1] * u.rounded[1], m[1] * u.error[1]}};
         if(!exact_sum_is_zero(terms.data(), terms.size()))
           return false;
       }
-      return true;
     }
+    return true;
   }
 
-  // The largest functional of the difference, times `scale`: a power of two that brings lengths
-  // near 1.
-  template <typename Group>
-  double residual(const typename Group::Element g, const double scale) const
+  bool match(const Element g) const
   {
-    const Uv a = Group::apply(g, rounded(m_side)), b = rounded(m_opposite);
-    const Uv a_error = Group::apply(g, error(m_side)), b_error = error(m_opposite);
-    Uv missing;
-    for(std::size_t c = 0; c < 2; ++c)
-      missing[c] = (a[c] * scale - b[c] * scale) + (a_error[c] * scale - b_error[c] * scale);
-    return Group::norm(missing);
+    bool result = true;
+    for(std::size_t c = 0; c < dimension; ++c)
+      result = result && match(g, c);
+    return result;
+  }
+
+  // The first element that matches, if there is one.
+  std::optional<Element> exact_fit() const
+  {
+    for(int i = 0; i < Group::order; ++i)
+      if(match(Group::element(i, Group::order)))
+        return Group::element(i, Group::order);
+    return std::nullopt;
+  }
+
+  // By how much `g` misses, times `scale`: a power of two that brings lengths near 1.
+  double residual(const Element g, const double scale = 1) const
+  {
+    double largest = 0;
+    for(std::size_t i = 0; i + 1 < dimension; ++i) {
+      const Vector u{Group::apply(g, m_here[i].rounded), Group::apply(g, m_here[i].error)};
+      const Vector& v = m_there[i];
+      Point missing;
+      for(std::size_t c = 0; c < dimension; ++c)
+        missing[c] = (u.rounded[c] * scale - v.rounded[c] * scale) +
+                     (u.error[c] * scale - v.error[c] * scale);
+      largest = (std::max)(largest, Group::norm(missing));
+    }
+    return largest;
   }
 
   // The element of least residual, as in [EBCK13], of symmetry n; the first of several.
-  template <typename Group>
-  typename Group::Element best_fit(const double scale, const int n) const
+  Element best_fit(const double scale = 1, const int n = Group::order) const
   {
-    typename Group::Element best = Group::identity();
-    double least = residual<Group>(best, scale);
-    for(int turns = 1; turns < n; ++turns) {
-      const double other = residual<Group>(Group::element(turns, n), scale);
+    Element best = Group::identity();
+    double least = residual(best, scale);
+    for(int i = 1; i < n && least > 0; ++i) {
+      const double other = residual(Group::element(i, n), scale);
       if(other < least) {
-        best = Group::element(turns, n);
+        best = Group::element(i, n);
         least = other;
       }
     }
@@ -118,18 +166,32 @@ public:
   }
 
   // The length of the longer side, times `scale`.
-  template <typename Group>
   double length(const double scale) const
   {
-    return scale * (std::max)(Group::norm(rounded(m_side)), Group::norm(rounded(m_opposite)));
+    return scale * (std::max)(Group::norm(m_here[0].rounded), Group::norm(m_there[0].rounded));
   }
 
 private:
-  using Vector = std::array<Exact_difference, 2>;
-  static Uv rounded(const Vector& v) { return {v[0].rounded, v[1].rounded}; }
-  static Uv error(const Vector& v) { return {v[0].error, v[1].error}; }
+  struct Vector { Point rounded, error; };
+  using Vectors = std::array<Vector, dimension - 1>;
 
-  Vector m_side, m_opposite;
+  Side_vectors(const Points& here, const Points& there)
+    : m_here(vectors(here)), m_there(vectors(there))
+  { }
+
+  static Vectors vectors(const Points& points)
+  {
+    Vectors result;
+    for(std::size_t i = 0; i + 1 < dimension; ++i)
+      for(std::size_t c = 0; c < dimension; ++c) {
+        const Exact_difference d(points[i + 1][c], points[0][c]);
+        result[i].rounded[c] = d.rounded;
+        result[i].error[c] = d.error;
+      }
+    return result;
+  }
+
+  Vectors m_here, m_there;
 };
 
 // Whether sides match exactly, for coordinates whose differences may overflow.
@@ -152,8 +214,8 @@ bool satisfies_transition(const Edge_sides& s, const typename Group::Element g)
 {
   if(g == Group::identity() && s.are_identical())
     return true;
-  const Edge_vectors vectors(s);
-  return vectors.are_valid() ? vectors.match<Group>(g) : match_exactly<Group>(s, g);
+  const Side_vectors<Group> vectors(s);
+  return vectors.are_valid() ? vectors.match(g) : match_exactly<Group>(s, g);
 }
 
 // By how much u + v differs at the ends of an edge: 0 only if it does not, exactly.

@@ -20,7 +20,8 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Facet_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Cube_rotations.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 
 #include <array>
 #include <cmath>
@@ -31,6 +32,8 @@
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+using Facet_vectors = Side_vectors<Cube_rotations>;
 
 // 4 c + i: corner i of cell c, and the facet of cell c opposite to it.
 using Corner_index = std::int32_t;

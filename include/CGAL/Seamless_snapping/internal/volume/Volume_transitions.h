@@ -165,14 +165,8 @@ private:
     m_is_decided.assign(size, 0);
     for(std::size_t i = 0; i < size; ++i) {
       const Facet_vectors vectors(m_volume.sides(m_volume.open_facets[i]));
-      double least = vectors.residual(Group::identity());
-      for(int g = 1; g < Group::order && least > 0; ++g) {
-        const double residual = vectors.residual(g);
-        if(residual < least) {
-          least = residual;
-          m_result.element[i] = g;
-        }
-      }
+      m_result.element[i] = vectors.best_fit();
+      const double least = vectors.residual(m_result.element[i]);
       for(const Corner_index corner : corners_of_facet(m_volume.open_facets[i])) {
         double& noise = m_result.noise[std::size_t(m_volume.vertex(corner))];
         noise = (std::max)(noise, least);

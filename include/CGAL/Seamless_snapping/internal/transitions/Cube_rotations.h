@@ -10,19 +10,13 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_FACET_VECTORS_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_FACET_VECTORS_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_CUBE_ROTATIONS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_CUBE_ROTATIONS_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// The two sides of a facet between tetrahedra, and which rotation takes the one to the other,
-// exactly: one of the 24 rotations of the cube, which permute the coordinates and change signs, so
-// that applying them rounds nothing. The rest is floating point: how far a rotation misses, and
-// which misses least.
-
-#include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
-#include <CGAL/Linear_snapping/internal/exact/Uv.h>
-#include <CGAL/Seamless_snapping/internal/packages_below.h>
+// The 24 rotations of the cube, which are the rotations of transitions between tetrahedra: they
+// permute the coordinates and change signs, so that applying them rounds nothing.
 
 #include <algorithm>
 #include <array>
@@ -39,10 +33,12 @@ class Cube_rotations
 public:
   static constexpr std::size_t dimension = 3;
   static constexpr int order = 24;
+  static constexpr bool is_signed_permutation = true;
 
   using Element = int;
 
   static constexpr Element identity() { return 0; }
+  static constexpr Element element(const int i, int) { return i; }
   // First `h`, then `g`.
   static Element compose(const Element g, const Element h)
   {
@@ -69,6 +65,9 @@ public:
       result[c] = sign(g, c) < 0 ? -v[source(g, c)] : v[source(g, c)];
     return result;
   }
+
+  static double norm(const std::array<double, dimension>& v)
+  { return (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
 private:
   struct Rotation
@@ -134,92 +133,8 @@ private:
 
 inline constexpr Cube_rotations::Tables Cube_rotations::tables = Cube_rotations::make_tables();
 
-// The coordinates of the vertices of a facet, in the charts of both cells.
-struct Facet_sides
-{
-  std::array<Uvw, 3> here, there;
-
-  // The largest difference of a coordinate: by how much the identity without translation misses.
-  double difference() const
-  {
-    double largest = 0;
-    for(std::size_t i = 0; i < 3; ++i)
-      for(std::size_t c = 0; c < 3; ++c)
-        largest = (std::max)(largest, std::abs(here[i][c] - there[i][c]));
-    return largest;
-  }
-};
-
-// The vectors from the first vertex to the others, without their rounding errors.
-// \pre differences of coordinates don't overflow
-class Facet_vectors
-{
-  using Group = Cube_rotations;
-
-public:
-  explicit Facet_vectors(const Facet_sides& s)
-  {
-    for(std::size_t i = 0; i < 2; ++i)
-      for(std::size_t c = 0; c < 3; ++c) {
-        set(m_here[i], c, {s.here[i + 1][c], s.here[0][c]});
-        set(m_there[i], c, {s.there[i + 1][c], s.there[0][c]});
-      }
-  }
-
-  // Whether `g` turns the vectors here into the vectors there, in one coordinate of there. Signs
-  // and swaps keep the rounded part and the error apart, so that these can be compared one by one.
-  bool match(const int g, const std::size_t c) const
-  {
-    const std::size_t from = Group::source(g, c);
-    const double sign = Group::sign(g, c);
-    for(std::size_t i = 0; i < 2; ++i)
-      if(sign * m_here[i].rounded[from] != m_there[i].rounded[c] ||
-         sign * m_here[i].error[from] != m_there[i].error[c])
-        return false;
-    return true;
-  }
-
-  bool match(const int g) const { return match(g, 0) && match(g, 1) && match(g, 2); }
-
-  bool match_some() const
-  {
-    for(int g = 0; g < Group::order; ++g)
-      if(match(g))
-        return true;
-    return false;
-  }
-
-  // The largest coordinate by which `g` misses.
-  double residual(const int g) const
-  {
-    double largest = 0;
-    for(std::size_t i = 0; i < 2; ++i) {
-      const Uvw rounded = Group::apply(g, m_here[i].rounded);
-      const Uvw error = Group::apply(g, m_here[i].error);
-      for(std::size_t c = 0; c < 3; ++c)
-        largest = (std::max)(largest, std::abs((rounded[c] - m_there[i].rounded[c]) +
-                                               (error[c] - m_there[i].error[c])));
-    }
-    return largest;
-  }
-
-private:
-  struct Vector
-  {
-    Uvw rounded, error;
-  };
-
-  static void set(Vector& v, const std::size_t c, const Exact_difference& d)
-  {
-    v.rounded[c] = d.rounded;
-    v.error[c] = d.error;
-  }
-
-  std::array<Vector, 2> m_here, m_there;
-};
-
 } // namespace internal
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_FACET_VECTORS_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_CUBE_ROTATIONS_H
