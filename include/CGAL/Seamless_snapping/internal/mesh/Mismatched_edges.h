@@ -40,16 +40,8 @@ struct Indexed_edge
   std::size_t source, target;
 };
 
-// A mismatched edge together with the coordinates of its sides, so that the mesh need not be asked
-// again.
-template <typename Halfedge>
-struct Surveyed_edge
-  : Indexed_edge<Halfedge>
-{
-  Edge_sides sides;
-};
-
-// What the sides of a mismatched edge tell, once it is directed towards its end of larger index.
+// The coordinates of the sides of a mismatched edge, so that the mesh need not be asked again; and
+// what they tell, once the edge is directed towards its end of larger index.
 struct Measured_edge
 {
   Edge_sides sides{};
@@ -65,13 +57,7 @@ struct Measured_edge
 template <typename Halfedge>
 struct Mismatched_edge
   : Indexed_edge<Halfedge>, Measured_edge
-{
-  explicit Mismatched_edge(const Surveyed_edge<Halfedge>& edge)
-    : Indexed_edge<Halfedge>(edge)
-  {
-    this->sides = edge.sides;
-  }
-};
+{ };
 
 // --- measures: up to rounding, in units that keep the smallest and the largest maps in range
 

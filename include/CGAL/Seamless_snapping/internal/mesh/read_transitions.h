@@ -151,16 +151,15 @@ public:
   Data run();
 
 private:
-  bool read_rotations(std::vector<Surveyed_edge<Halfedge>>& surveyed,
-                      const Vertex_numbers& numbers,
-                      Data& data) const
+  bool read_rotations(std::vector<Mismatched_edge<Halfedge> >& surveyed,
+                      const Vertex_numbers& numbers, Data& data) const
   {
-    for(Surveyed_edge<Halfedge>& s : surveyed)
+    for(Mismatched_edge<Halfedge>& s : surveyed)
       if(must_turn(m_surface, s))
-        s = {{m_surface.opposite(s.halfedge), s.target, s.source}, s.sides.turned()};
+        s = {{m_surface.opposite(s.halfedge), s.target, s.source}, {s.sides.turned()}};
     data.edges.reserve(surveyed.size());
     for(const std::size_t i : canonical_order(m_surface, numbers, surveyed)) {
-      data.edges.emplace_back(surveyed[i]);
+      data.edges.push_back(surveyed[i]);
       if(!read_rotation_of(data.edges.back(), data))
         return false;
     }

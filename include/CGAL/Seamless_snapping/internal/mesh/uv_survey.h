@@ -53,7 +53,7 @@ Edge_sides edge_sides(const Surface& surface, const typename Surface::Halfedge h
 template <typename Halfedge>
 struct Uv_survey
 {
-  std::vector<Surveyed_edge<Halfedge> > mismatched_edges;
+  std::vector<Mismatched_edge<Halfedge> > mismatched_edges; // not measured
   double extent = 0;                    // the larger side of the bounding box of the coordinates
   std::optional<Refusal> refusal;
 };
@@ -144,7 +144,7 @@ survey_uv(const Surface& surface,
        !(is_open_anyway && is_open_anyway(h)))
       return;
     const Edge_sides sides = edge_sides(surface, h);
-    survey.mismatched_edges.push_back({{h, surface.source(h), surface.vertex(h)}, sides});
+    survey.mismatched_edges.push_back({{h, surface.source(h), surface.vertex(h)}, {sides}});
     in_range = in_range && is_in_range(sides.b) && is_in_range(sides.a_opposite);
   };
 
