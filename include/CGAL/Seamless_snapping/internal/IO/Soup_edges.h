@@ -20,6 +20,7 @@
 // CGAL's functions on soups make any soup fit, by turning faces round and by cutting along edges;
 // here a file is taken as it is or refused, with the lines of the faces at fault.
 
+#include <CGAL/Linear_snapping/internal/support/Lists.h>
 #include <CGAL/Seamless_snapping/internal/IO/Corner_soup.h>
 #include <CGAL/Seamless_snapping/internal/IO/File_refusal.h>
 
@@ -27,7 +28,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -56,28 +56,23 @@ public:
   // \param names the vertices in messages; if empty, they are numbered as in the file
   explicit Soup_edges(const std::vector<Triangle>& triangles,
                       const std::vector<std::size_t>& names = no_names())
-    : m_triangles(&triangles), m_names(&names), m_first(2, 0)
+    : m_triangles(&triangles), m_names(&names)
   {
     if(triangles.size() > no_side / 3)
       throw File_refusal(0, "there are more than " + std::to_string(no_side / 3) + " faces");
-    // by their lower vertices first, as counted: few sides share one
-    m_sides.resize(3 * triangles.size());
-    const Side_index n = static_cast<Side_index>(m_sides.size());
-    for(Side_index s = 0; s < n; ++s) {
-      const std::size_t low = ends(s).first;
-      if(low + 1 >= m_first.size())
-        m_first.resize((std::max)(low + 2, 2 * m_first.size()), 0);
-      ++m_first[low];
-    }
-    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
-    for(Side_index s = n; s-- > 0;) {
-      const auto [low, high] = ends(s);
-      m_sides[--m_first[low]] = {high, s};
-    }
-    for(std::size_t v = 0; v + 1 < m_first.size(); ++v)
-      std::sort(first_at(v), first_at(v + 1), [](const Side& a, const Side& b) {
-        return std::tie(a.high, a.side) < std::tie(b.high, b.side);
-      });
+    std::size_t number_of_vertices = 0;
+    for(const Triangle& t : triangles)
+      for(const std::size_t v : t.vertices)
+        number_of_vertices = (std::max)(number_of_vertices, v + 1);
+    m_sides = Lists<Side>(number_of_vertices, [&](const auto& add) {
+      for(Side_index s = 0; s < 3 * triangles.size(); ++s) {
+        const auto [low, high] = ends(s);
+        add(low, Side{high, s});
+      }
+    });
+    m_sides.sort_each([](const Side& a, const Side& b) {
+      return std::tie(a.high, a.side) < std::tie(b.high, b.side);
+    });
   }
 
   // Throws `File_refusal` unless each edge has one side, or two that run in opposite directions.
@@ -102,7 +97,7 @@ public:
   // \pre `check_manifold()` has passed
   std::vector<Side_index> mates() const
   {
-    std::vector<Side_index> mates(m_sides.size(), no_side);
+    std::vector<Side_index> mates(m_sides.elements().size(), no_side);
     for_each_edge([&](const Side* const first, const Side* const last) {
       if(last - first == 2) {
         mates[first[0].side] = first[1].side;
@@ -128,13 +123,13 @@ public:
   Side_index find(const std::size_t u, const std::size_t v) const
   {
     const auto [low, high] = std::minmax(u, v);
-    if(low + 1 >= m_first.size())
+    if(low >= m_sides.size())
       return no_side;
-    const Side* const last = first_at(low + 1);
+    const auto sides = m_sides[low];
     const Side* const side =
-      std::lower_bound(first_at(low), last, high,
+      std::lower_bound(sides.begin(), sides.end(), high,
                        [](const Side& s, const std::size_t vertex) { return s.high < vertex; });
-    return side != last && side->high == high ? side->side : no_side;
+    return side != sides.end() && side->high == high ? side->side : no_side;
   }
 
 private:
@@ -151,16 +146,12 @@ private:
     return std::minmax(v[s % 3], v[next_side(s) % 3]);
   }
 
-  // The first side at lower vertex `v`; sides are sorted by lower vertex.
-  const Side* first_at(const std::size_t v) const { return m_sides.data() + m_first[v]; }
-  Side* first_at(const std::size_t v) { return m_sides.data() + m_first[v]; }
-
   // Calls `f(first, last)` for the sides of each edge.
   template <typename F>
   void for_each_edge(const F& f) const
   {
-    for(std::size_t v = 0; v + 1 < m_first.size(); ++v)
-      for(const Side *first = first_at(v), *const end = first_at(v + 1); first != end; ) {
+    for(std::size_t v = 0; v < m_sides.size(); ++v)
+      for(const Side *first = m_sides[v].begin(), *const end = m_sides[v].end(); first != end; ) {
         const Side* last = first + 1;
         while(last != end && last->high == first->high)
           ++last;
@@ -253,8 +244,7 @@ private:
 
   const std::vector<Triangle>* m_triangles;
   const std::vector<std::size_t>* m_names;
-  std::vector<Side_index> m_first; // per vertex, and one behind the last
-  std::vector<Side> m_sides;
+  Lists<Side> m_sides; // by their lower vertices: few sides share one
 };
 
 // Gives each fan of triangles around a vertex a vertex of its own: the fan that comes first keeps
