@@ -35,22 +35,6 @@ namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
 
-// The differences of the coordinates of some corners, in ascending order.
-inline Uvw sorted_spreads(const Flat_volume& volume, const std::vector<Corner_index>& corners)
-{
-  Uvw result{};
-  for(std::size_t c = 0; c < 3; ++c) {
-    double least = volume.uvw(corners[0])[c], largest = least;
-    for(const Corner_index corner : corners) {
-      least = (std::min)(least, volume.uvw(corner)[c]);
-      largest = (std::max)(largest, volume.uvw(corner)[c]);
-    }
-    result[c] = largest - least;
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
 // Counts and measures what the flat volume lists.
 inline void measure_constraints(const Flat_volume& volume, Volume_seamlessness& result)
 {
@@ -63,18 +47,18 @@ inline void measure_constraints(const Flat_volume& volume, Volume_seamlessness& 
     ++result.number_of_inexact_facets;
     result.violation = (std::max)(result.violation, vectors.residual(vectors.best_fit()));
   }
-  const auto add_misalignment = [&](const double miss) {
-    result.number_of_misalignments += std::size_t(miss != 0);
-    result.misalignment = (std::max)(result.misalignment, miss);
+  // as many coordinates are to be constant
+  const auto add_misalignment = [&](Uvw spread, const std::size_t number) {
+    std::sort(spread.begin(), spread.end());
+    result.number_of_misalignments += std::size_t(spread[number - 1] != 0);
+    result.misalignment = (std::max)(result.misalignment, spread[number - 1]);
   };
   result.number_of_aligned_facets = volume.aligned_facets.size();
-  for(const Corner_index facet : volume.aligned_facets) {
-    const auto corners = corners_of_facet(facet);
-    add_misalignment(sorted_spreads(volume, {corners.begin(), corners.end()})[0]);
-  }
+  for(const Corner_index facet : volume.aligned_facets)
+    add_misalignment(spread(volume, corners_of_facet(facet)), 1);
   result.number_of_aligned_edges = volume.aligned_edges.size();
   for(const Flat_volume::Aligned_edge& edge : volume.aligned_edges)
-    add_misalignment(sorted_spreads(volume, {edge.a, edge.b})[1]);
+    add_misalignment(spread<2>(volume, {{edge.a, edge.b}}), 2);
 }
 
 // Throws what is wrong with the cells or the coordinates.

@@ -49,14 +49,8 @@ class Feature_complex_finder
 
 public:
   explicit Feature_complex_finder(const Flat_volume& volume)
-    : m_volume(volume), m_facet(volume.opposite.size(), -1)
-  {
-    for(std::size_t i = 0; i < volume.aligned_facets.size(); ++i)
-      for(const Corner_index side : {volume.aligned_facets[i],
-                                     volume.opposite[std::size_t(volume.aligned_facets[i])]})
-        if(side >= 0)
-          m_facet[std::size_t(side)] = std::int32_t(i);
-  }
+    : m_volume(volume), m_facet(volume.places_in(volume.aligned_facets))
+  { }
 
   Feature_complex run()
   {
@@ -122,13 +116,13 @@ private:
       m_flat_pairs.push_back({ends(e[0], e[1]), {{one, other}}});
   }
 
-  // The number of each element's class, in the order of their first elements.
+  // The number of each element's class, from 1.
   static std::vector<std::int32_t> numbers(Signed_union_find& classes)
   {
-    std::vector<std::int32_t> result(classes.size());
-    std::int32_t number = 0;
-    for(std::size_t i = 0; i < result.size(); ++i)
-      result[i] = classes.root(i) == i ? ++number : result[classes.root(i)];
+    std::vector<std::int32_t> result;
+    classes.number(result);
+    for(std::int32_t& number : result)
+      ++number;
     return result;
   }
 

@@ -108,7 +108,7 @@ private:
   {
     if(!is_on_grid_line(m_map.volume(), line))
       return;
-    const std::size_t k = axis_of_edge(m_map.volume(), line);
+    const std::size_t k = std::size_t(direction_of(m_map.volume(), line));
     const Uvw &a = m_map.volume().uvw(line.a), &b = m_map.volume().uvw(line.b);
     const Cell_sides sides = m_map.sides(line.a / 4);
     m_corners.enter(line.a / 4, sides);

@@ -38,35 +38,11 @@ namespace CGAL {
 namespace Hexahedral_meshing {
 namespace internal {
 
-inline bool is_integer(const double x) { return x == std::round(x); }
-
 // The coordinate that is constant on a facet; 3 if there is none.
 inline std::size_t constant_coordinate(const Flat_volume& volume, const Corner_index facet)
 {
-  const auto c = corners_of_facet(facet);
-  std::size_t k = 0;
-  while(k < 3 && !(volume.uvw(c[0])[k] == volume.uvw(c[1])[k] &&
-                   volume.uvw(c[0])[k] == volume.uvw(c[2])[k]))
-    ++k;
-  return k;
-}
-
-// The coordinate that changes along an edge; 3 if there is none, or there are several.
-inline std::size_t axis_of_edge(const Flat_volume& volume, const Flat_volume::Aligned_edge& edge)
-{
-  const Uvw d = vector_to(volume.uvw(edge.a), volume.uvw(edge.b));
-  std::size_t k = 0;
-  while(k < 3 && !(d[(k + 1) % 3] == 0 && d[(k + 2) % 3] == 0))
-    ++k;
-  return k;
-}
-
-// Whether an edge lies on a line of the grid.
-inline bool is_on_grid_line(const Flat_volume& volume, const Flat_volume::Aligned_edge& edge)
-{
-  const std::size_t k = axis_of_edge(volume, edge);
-  const Uvw& u = volume.uvw(edge.a);
-  return k < 3 && is_integer(u[(k + 1) % 3]) && is_integer(u[(k + 2) % 3]);
+  const Uvw s = spread(volume, corners_of_facet(facet));
+  return std::size_t(std::find(s.begin(), s.end(), 0.) - s.begin());
 }
 
 // Checks the conditions, and keeps what they tell of the mesh.
@@ -159,10 +135,7 @@ private:
 
   std::optional<Refusal> check_orientations()
   {
-    std::vector<std::size_t> bad;
-    for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c)
-      if(orientation(uvw_of_cell(m_volume.coordinates, c)) != CGAL::POSITIVE)
-        bad.push_back(c);
+    const std::vector<std::size_t> bad = nonpositive_cells(m_volume.coordinates);
     if(bad.empty())
       return std::nullopt;
     return Refusal(Outcome::NOT_POSITIVE, name_of_cell(bad[0]) + among(bad.size(), "such cell") +
@@ -213,7 +186,7 @@ private:
       const std::size_t k = constant_coordinate(m_volume, facet);
       if(k == 3)
         askew.push_back(facet);
-      else if(!is_integer(m_volume.uvw(corners_of_facet(facet)[0])[k]))
+      else if(distance_to_integer(m_volume.uvw(corners_of_facet(facet)[0])[k]) != 0)
         off_grid.push_back(facet);
     }
     const auto name = [&](const std::vector<Corner_index>& facets) {
@@ -232,7 +205,7 @@ private:
   std::optional<Refusal> check_aligned_edges()
   {
     for(const Flat_volume::Aligned_edge& edge : m_volume.aligned_edges)
-      if(axis_of_edge(m_volume, edge) == 3)
+      if(!is_on_line(m_volume, edge, direction_of(m_volume, edge)))
         return Refusal(Outcome::NOT_ALIGNED, "along the feature " + m_volume.name_of_edge(edge) +
                        ", more than one coordinate changes" +
                        remedy("snap_volume_to_seamless() aligns it"));
@@ -249,9 +222,8 @@ private:
     m_number_of_edges = finder.number_of_edges();
     for(const Grid_edge& grid_edge : edges) {
       const Flat_volume::Aligned_edge& edge = grid_edge.edge;
-      const std::size_t axis = axis_of_edge(m_volume, edge);
-      if(grid_edge.is_skew || (edge.direction >= 0 && axis != std::size_t(edge.direction)) ||
-         !is_on_grid_line(m_volume, edge))
+      const std::size_t axis = std::size_t(direction_of(m_volume, edge));
+      if(grid_edge.is_skew || !is_on_grid_line(m_volume, edge))
         return not_integer("the singular " + m_volume.name_of_edge(edge) + " (of " +
                            counted(edges.size(), "singular edge") + ") is on no line of the grid");
       if(grid_edge.is_interior)
@@ -269,10 +241,8 @@ private:
       if(m_volume.opposite[f] > Corner_index(f))
         for(const Corner_index corner : corners_of_facet(Corner_index(f)))
           corners.unite(std::size_t(corner), std::size_t(m_volume.across(Corner_index(f), corner)));
-    std::size_t result = 0;
-    for(std::size_t i = 0; i < corners.size(); ++i)
-      result += std::size_t(corners.root(i) == i);
-    return result;
+    std::vector<std::int32_t> numbers;
+    return corners.number(numbers);
   }
 
   const Flat_volume& m_volume;

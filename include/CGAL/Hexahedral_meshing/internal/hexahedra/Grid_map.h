@@ -69,12 +69,10 @@ public:
     const signed char element = m_elements[std::size_t(facet)];
     if(element == no_cut)
       return p;
-    const Corner_index corner = corners_of_facet(facet)[0];
-    const Uvw& there = m_volume.uvw(m_volume.across(facet, corner));
-    const Uvw here = Group::apply(element, m_volume.uvw(corner));
+    const Uvw translation = m_volume.translation(facet, element); // integers, without an error
     Uvw result = Group::apply(element, p);
     for(std::size_t c = 0; c < 3; ++c)
-      result[c] += there[c] - here[c]; // an integer, and hence without an error
+      result[c] += translation[c];
     return result;
   }
 

@@ -43,8 +43,7 @@ constexpr std::size_t largest_number_of_kept_charts = 32;
 struct Joined_charts
 {
   Volume_charts charts;
-  Volume_transitions transitions; // elements and cuts only
-  Volume_alignment alignment;     // coordinates and directions only
+  Volume_constraints constraints; // elements, cuts, coordinates, and directions only
 };
 
 // A chart is a class of cells between which no cut runs. A spanning forest of the charts takes each
@@ -56,12 +55,13 @@ class Chart_joiner
   using Group = Cube_rotations;
 
 public:
-  Chart_joiner(const Flat_volume& volume, const Volume_transitions& transitions)
-    : m_volume(volume), m_transitions(transitions), m_charts(volume.number_of_cells())
+  Chart_joiner(const Flat_volume& volume, const Volume_constraints& constraints)
+    : m_volume(volume), m_transitions(constraints.transitions),
+      m_alignment(constraints.alignment), m_charts(volume.number_of_cells())
   { }
 
   // Returns false if there are few charts.
-  bool run(const Volume_alignment& alignment, Joined_charts& result)
+  bool run(Joined_charts& result)
   {
     if(m_transitions.number_of_cuts <= largest_number_of_kept_charts)
       return false;
@@ -69,9 +69,9 @@ public:
     if(span() <= largest_number_of_kept_charts)
       return false;
     join_at_edges();
-    set(alignment, result.alignment);
-    result.transitions.element.swap(m_element);
-    result.transitions.is_cut.swap(m_is_cut);
+    set(result.constraints.alignment);
+    result.constraints.transitions.element.swap(m_element);
+    result.constraints.transitions.is_cut.swap(m_is_cut);
     result.charts = std::move(m_charts);
     return true;
   }
@@ -100,14 +100,10 @@ private:
     for(std::size_t f = 0; f < m_volume.opposite.size(); ++f)
       if(m_volume.opposite[f] > Corner_index(f) && m_place[f] < 0)
         classes.unite(f / 4, std::size_t(m_volume.opposite[f] / 4));
-    std::int32_t number_of_charts = 0;
-    for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c) {
-      const std::size_t root = classes.root(c); // the first cell
-      m_charts.chart_of_cell[c] = root == c ? number_of_charts++ : m_charts.chart_of_cell[root];
-    }
-    m_charts.elements.assign(std::size_t(number_of_charts), -1);
-    m_charts.shifts.assign(std::size_t(number_of_charts), Uvw{});
-    m_charts.roots.assign(std::size_t(number_of_charts), -1);
+    const std::size_t number_of_charts = classes.number(m_charts.chart_of_cell);
+    m_charts.elements.assign(number_of_charts, -1);
+    m_charts.shifts.assign(number_of_charts, Uvw{});
+    m_charts.roots.assign(number_of_charts, -1);
   }
 
   // Turns and moves charts along a spanning forest. Returns how many it reaches from others.
@@ -246,20 +242,21 @@ private:
     return result;
   }
 
-  void set(const Volume_alignment& alignment, Volume_alignment& result) const
+  void set(Volume_alignment& result) const
   {
     const auto moved = [&](const Corner_index corner, const int k) {
       const int g = m_charts.elements[chart_of(corner)];
       return int(Group::source(Group::inverse(g), std::size_t(k)));
     };
-    for(std::size_t i = 0; i < alignment.coordinate.size(); ++i)
-      result.coordinate.push_back(moved(m_volume.aligned_facets[i], alignment.coordinate[i]));
-    for(std::size_t i = 0; i < alignment.direction.size(); ++i)
-      result.direction.push_back(moved(m_volume.aligned_edges[i].a, alignment.direction[i]));
+    for(std::size_t i = 0; i < m_alignment.coordinate.size(); ++i)
+      result.coordinate.push_back(moved(m_volume.aligned_facets[i], m_alignment.coordinate[i]));
+    for(std::size_t i = 0; i < m_alignment.direction.size(); ++i)
+      result.direction.push_back(moved(m_volume.aligned_edges[i].a, m_alignment.direction[i]));
   }
 
   const Flat_volume& m_volume;
   const Volume_transitions& m_transitions;
+  const Volume_alignment& m_alignment;
   std::vector<std::int32_t> m_place;   // per facet: the place of its cut among the open ones, or -1
   Volume_charts m_charts;              // elements are -1 while they are not reached
   std::vector<std::size_t> m_tree;     // the facets that the forest crosses

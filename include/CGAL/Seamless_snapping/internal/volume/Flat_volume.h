@@ -79,6 +79,16 @@ inline Uvw_tetrahedron uvw_of_cell(const std::vector<Uvw>& u, const std::size_t 
   return {u[4 * c], u[4 * c + 1], u[4 * c + 2], u[4 * c + 3]};
 }
 
+// The cells that are not positive, exactly.
+inline std::vector<std::size_t> nonpositive_cells(const std::vector<Uvw>& u)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t c = 0; c < u.size() / 4; ++c)
+    if(orientation(uvw_of_cell(u, c)) != CGAL::POSITIVE)
+      result.push_back(c);
+  return result;
+}
+
 // Six times the volume of a cell, in floating point.
 inline double six_times_volume(const Uvw_tetrahedron& u, const double scale = 1)
 {
@@ -87,6 +97,19 @@ inline double six_times_volume(const Uvw_tetrahedron& u, const double scale = 1)
     for(std::size_t c = 0; c < 3; ++c)
       e[i][c] = scale * (u[i + 1][c] - u[0][c]);
   return inner_product(e[0], vector_product(e[1], e[2]));
+}
+
+// The normals of the facets opposite to the four corners, from three edges at the first corner: how
+// six times the volume grows as a corner moves.
+inline std::array<Uvw, 4> facet_normals(const std::array<Uvw, 3>& e)
+{
+  std::array<Uvw, 4> result{};
+  for(std::size_t i = 0; i < 3; ++i) {
+    result[i + 1] = vector_product(e[(i + 1) % 3], e[(i + 2) % 3]);
+    for(std::size_t c = 0; c < 3; ++c)
+      result[0][c] -= result[i + 1][c];
+  }
+  return result;
 }
 
 // The place of a problem, for messages: "facet 3, 4, 7".
@@ -133,6 +156,17 @@ struct Flat_volume
     return turned.key(4 * std::size_t(cell_names[corner / 4]) + corner % 4);
   }
 
+  // Per facet, seen from either side: its place in a list of facets, or -1.
+  std::vector<std::int32_t> places_in(const std::vector<Corner_index>& facets) const
+  {
+    std::vector<std::int32_t> result(opposite.size(), -1);
+    for(std::size_t i = 0; i < facets.size(); ++i)
+      for(const Corner_index side : {facets[i], opposite[std::size_t(facets[i])]})
+        if(side >= 0)
+          result[std::size_t(side)] = std::int32_t(i);
+    return result;
+  }
+
   // The corner at the same vertex, in the cell on the other side of a facet.
   Corner_index across(const Corner_index facet, const Corner_index corner) const
   {
@@ -157,6 +191,13 @@ struct Flat_volume
     return result;
   }
 
+  // The translation across a facet with the rotation g.
+  Uvw translation(const Corner_index facet, const Cube_rotations::Element g) const
+  {
+    const Corner_index corner = corners_of_facet(facet)[0];
+    return vector_to(Cube_rotations::apply(g, uvw(corner)), uvw(across(facet, corner)));
+  }
+
   Message name_of_facet(const Corner_index facet) const
   {
     std::vector<std::int64_t> names;
@@ -171,6 +212,19 @@ struct Flat_volume
                             vertex_names[std::size_t(vertex(edge.b))]});
   }
 };
+
+// The differences of the coordinates of some corners.
+template <std::size_t number>
+Uvw spread(const Flat_volume& volume, const std::array<Corner_index, number>& corners)
+{
+  Uvw least = volume.uvw(corners[0]), largest = least;
+  for(const Corner_index corner : corners)
+    for(std::size_t c = 0; c < 3; ++c) {
+      least[c] = (std::min)(least[c], volume.uvw(corner)[c]);
+      largest[c] = (std::max)(largest[c], volume.uvw(corner)[c]);
+    }
+  return vector_to(least, largest);
+}
 
 // In a cell, between the facets opposite to two corners.
 inline double dihedral_angle(const Flat_volume& volume, const Corner_index i, const Corner_index j)

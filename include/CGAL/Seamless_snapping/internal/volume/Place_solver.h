@@ -41,14 +41,12 @@ class Place_solver
 
 public:
   // \param is_inexact per coordinate of a slot: whether a constraint on it does not hold
-  Place_solver(const Flat_volume& volume, const Volume_charts& charts,
-               const Volume_sectors& sectors, const Volume_places& places,
-               const Volume_members& members, const std::vector<char>& is_inexact,
-               const Number_format& format)
-    : m_volume(volume), m_charts(charts), m_sectors(sectors), m_places(places),
-      m_members(members), m_means(volume.coordinates, sectors, charts), m_format(format),
-      m_system(sectors, places),
-      m_classes(sectors, places),
+  Place_solver(const Flat_volume& volume, const Volume_structure& structure,
+               const std::vector<char>& is_inexact, const Number_format& format)
+    : m_volume(volume), m_charts(structure.charts), m_sectors(structure.sectors),
+      m_places(structure.places), m_members(structure.members),
+      m_means(volume.coordinates, structure), m_format(format), m_system(structure),
+      m_classes(structure),
       m_solver(m_system.rows(), m_system.weights(), format, m_system.weights().size(), false),
       m_moves(m_classes.size(), 0)
   {
@@ -56,11 +54,10 @@ public:
       if(is_inexact[j] != 0)
         m_moves[m_classes.root(j)] = 1;
     std::vector<double> largest(m_classes.size(), 0);
-    for(const Place& place : places.places)
+    for(const Place& place : m_places.places)
       for(std::size_t i = 0; i < place.members.size(); ++i)
         for(std::size_t c = 0; c < 3; ++c) {
-          double& x = largest[m_classes.root(
-            3 * (place.first_slot + i % place.number_of_slots) + c)];
+          double& x = largest[m_classes.root(place.column(i % place.number_of_slots, c))];
           x = (std::max)(x, m_means.largest(place.members[i], c));
         }
     for(const double x : largest)

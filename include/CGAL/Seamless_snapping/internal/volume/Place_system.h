@@ -42,36 +42,28 @@ class Coordinate_classes
   using Group = Cube_rotations;
 
 public:
-  Coordinate_classes(const Volume_sectors& sectors, const Volume_places& places)
-    : m_root(3 * places.number_of_slots)
+  explicit Coordinate_classes(const Volume_structure& structure)
+    : m_root(3 * structure.places.number_of_slots)
   {
+    const Volume_sectors& sectors = structure.sectors;
     const std::size_t first_sheet = m_root.size();
     const std::size_t first_level = first_sheet + 3 * sectors.sheet_element.size();
     Signed_union_find classes(first_level + sectors.number_of_levels);
-    for(const Volume_places::Place& place : places.places) {
-      for(std::size_t i = place.first_arc; i < place.end_of_arcs; ++i) {
-        const Sector_arc& arc = places.arcs[i];
+    for(const Volume_places::Place& place : structure.places.places) {
+      for(const Sector_arc& arc : place.arcs) {
         const int g = sectors.sheet_element[std::size_t(arc.sheet)];
         for(std::size_t c = 0; c < 3; ++c) {
-          const std::size_t minus = column(place, arc.minus, c);
-          classes.unite(minus, column(place, arc.plus, Group::source(g, c)));
+          const std::size_t minus = place.column(std::size_t(arc.minus), c);
+          classes.unite(minus, place.column(std::size_t(arc.plus), Group::source(g, c)));
           classes.unite(minus, first_sheet + 3 * std::size_t(arc.sheet) + c);
         }
       }
-      for(std::size_t i = place.first_level; i < place.end_of_levels; ++i) {
-        const Sector_level& level = places.levels[i];
-        classes.unite(column(place, level.sector, std::size_t(level.coordinate)),
+      for(const Sector_level& level : place.levels)
+        classes.unite(place.column(std::size_t(level.sector), std::size_t(level.coordinate)),
                       first_level + std::size_t(level.level));
-      }
     }
     for(std::size_t j = 0; j < m_root.size(); ++j)
       m_root[j] = classes.root(j);
-  }
-
-  static std::size_t column(const Volume_places::Place& place, const Sector_number slot,
-                            const std::size_t c)
-  {
-    return 3 * (place.first_slot + std::size_t(slot)) + c;
   }
 
   std::size_t size() const { return m_root.size(); }
@@ -124,9 +116,8 @@ class Sector_means
 {
 public:
   // \param u per corner
-  Sector_means(const std::vector<Uvw>& u, const Volume_sectors& sectors,
-               const Volume_charts& charts)
-    : m_u(u), m_sectors(sectors), m_charts(charts)
+  Sector_means(const std::vector<Uvw>& u, const Volume_structure& structure)
+    : m_u(u), m_sectors(structure.sectors), m_charts(structure.charts)
   { }
 
   // As numbers of a grid, with what is left.
@@ -183,18 +174,19 @@ class Place_system
   using Place = Volume_places::Place;
 
 public:
-  Place_system(const Volume_sectors& sectors, const Volume_places& places)
-    : m_sectors(sectors), m_places(places), m_builder(3 * places.number_of_slots)
+  explicit Place_system(const Volume_structure& structure)
+    : m_sectors(structure.sectors), m_places(structure.places),
+      m_builder(3 * m_places.number_of_slots)
   {
-    for(const Place& place : places.places)
+    for(const Place& place : m_places.places)
       m_weights.insert(m_weights.end(), 3 * place.number_of_slots,
                        static_cast<double>(place.number_of_members()));
     choose_references();
-    for(const Place& place : places.places) {
-      for(std::size_t i = place.first_arc; i < place.end_of_arcs; ++i)
-        add_arc(place, places.arcs[i]);
-      for(std::size_t i = place.first_level; i < place.end_of_levels; ++i)
-        add_level(place, places.levels[i]);
+    for(const Place& place : m_places.places) {
+      for(const Sector_arc& arc : place.arcs)
+        add_arc(place, arc);
+      for(const Sector_level& level : place.levels)
+        add_level(place, level);
     }
     m_rows = m_builder.take();
   }
@@ -215,11 +207,11 @@ private:
     m_reference.resize(m_sectors.sheet_element.size());
     m_first_of_level.assign(m_sectors.number_of_levels, -1);
     for(const Place& place : m_places.places)
-      for(std::size_t i = place.first_arc; i < place.end_of_arcs; ++i) {
-        Reference& reference = m_reference[std::size_t(m_places.arcs[i].sheet)];
+      for(const Sector_arc& arc : place.arcs) {
+        Reference& reference = m_reference[std::size_t(arc.sheet)];
         if(reference.place == nullptr ||
            place.number_of_slots < reference.place->number_of_slots)
-          reference = {&place, &m_places.arcs[i]};
+          reference = {&place, &arc};
       }
   }
 
@@ -240,16 +232,15 @@ private:
                           const int sign)
   {
     const int g = m_sectors.sheet_element[std::size_t(arc.sheet)];
-    append(Coordinate_classes::column(place, arc.minus, c), sign);
-    append(Coordinate_classes::column(place, arc.plus, Group::source(g, c)),
-           -sign * Group::sign(g, c));
+    append(place.column(std::size_t(arc.minus), c), sign);
+    append(place.column(std::size_t(arc.plus), Group::source(g, c)), -sign * Group::sign(g, c));
   }
 
   void add_level(const Place& place, const Sector_level& level)
   {
     std::int64_t& first = m_first_of_level[std::size_t(level.level)];
     const std::size_t column =
-      Coordinate_classes::column(place, level.sector, std::size_t(level.coordinate));
+      place.column(std::size_t(level.sector), std::size_t(level.coordinate));
     if(first < 0) {
       first = std::int64_t(column);
       return;

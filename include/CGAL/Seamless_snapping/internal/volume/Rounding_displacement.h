@@ -47,8 +47,7 @@ class Integer_places
 
 public:
   Integer_places(const Volume_structure& structure, const Number_format& format)
-    : m_structure(structure), m_integers(format, 0),
-      m_system(structure.sectors, structure.places),
+    : m_structure(structure), m_integers(format, 0), m_system(structure),
       m_solver(m_system.rows(), m_system.weights(), format, m_system.weights().size(), false)
   { }
 
@@ -95,7 +94,7 @@ private:
   // free: else their rounding would disturb the rounding of the others.
   std::vector<Grid_value> targets(const std::vector<Uvw>& u) const
   {
-    const Sector_means means(u, m_structure.sectors, m_structure.charts);
+    const Sector_means means(u, m_structure);
     std::vector<Grid_value> result;
     Member_index first_member = 0;
     for(const Volume_places::Place& place : m_structure.places.places) {
@@ -245,12 +244,7 @@ private:
     for(Uvw& edge : e)
       for(double& x : edge)
         x /= size;
-    std::array<Uvw, 4> n{}; // normals opposite to the corners, without scale
-    for(std::size_t i = 0; i < 3; ++i) {
-      n[i + 1] = vector_product(e[(i + 1) % 3], e[(i + 2) % 3]);
-      for(std::size_t c = 0; c < 3; ++c)
-        n[0][c] -= n[i + 1][c];
-    }
+    const std::array<Uvw, 4> n = facet_normals(e); // without scale
     const double volume = inner_product(e[0], n[1]);
     const double scale = size / (std::max)(std::abs(volume), least_volume);
     Weights result{};

@@ -118,23 +118,21 @@ private:
   Exit find_exit(const Walk& w, const Corner_index entered, const bool is_start) const
   {
     const Uvw_tetrahedron u = uvw_of_cell(m_volume.coordinates, w.cell);
-    const Uvw a = vector_to(u[0], u[1]), b = vector_to(u[0], u[2]), c = vector_to(u[0], u[3]);
+    const std::array<Uvw, 3> e{
+      {vector_to(u[0], u[1]), vector_to(u[0], u[2]), vector_to(u[0], u[3])}};
+    const std::array<Uvw, 4> normals = facet_normals(e);
     const Uvw from = vector_to(u[0], w.at);
-    const double volume = inner_product(a, vector_product(b, c));
+    const double volume = inner_product(e[0], normals[1]);
     Exit result{no_facet, 0};
     if(!(volume > 0))
       return result;
-    const std::array<Uvw, 3> normals{
-      {vector_product(b, c), vector_product(c, a), vector_product(a, b)}};
-    std::array<double, 4> weight{{volume, 0, 0, 0}}, slope{};
-    for(std::size_t k = 0; k < 3; ++k) { // barycentric coordinates, and how they change
-      weight[k + 1] = inner_product(normals[k], from);
-      weight[0] -= weight[k + 1];
-      slope[k + 1] = w.sign * normals[k][w.axis];
-      slope[0] -= slope[k + 1];
+    std::array<double, 4> weight{{volume, 0, 0, 0}}; // barycentric coordinates
+    for(std::size_t k = 1; k < 4; ++k) {
+      weight[k] = inner_product(normals[k], from);
+      weight[0] -= weight[k];
     }
     for(Corner_index k = 0; k < 4; ++k) {
-      const double s = slope[std::size_t(k)];
+      const double s = w.sign * normals[std::size_t(k)][w.axis]; // how it changes
       if(is_start && k != entered % 4 && s < 0)
         return {no_facet, 0}; // another cell at the vertex contains the walk
       if(!(s < 0) || (!is_start && k == entered % 4))
@@ -185,14 +183,13 @@ private:
     if(g < 0)
       return true;
     const Corner_index here = corners_of_facet(facet)[0], there = m_volume.across(facet, here);
-    const Uvw turned = Group::apply(g, m_volume.uvw(here));
+    const Uvw shift = m_volume.translation(facet, g);
     const Uvw start = Group::apply(g, w.start), at = Group::apply(g, w.at);
     std::array<bool, 3> is_start_fixed{};
     std::size_t axis = 0;
     for(std::size_t c = 0; c < 3; ++c) {
-      const double shift = m_volume.uvw(there)[c] - turned[c];
-      w.start[c] = start[c] + shift;
-      w.at[c] = at[c] + shift;
+      w.start[c] = start[c] + shift[c];
+      w.at[c] = at[c] + shift[c];
       is_start_fixed[c] = w.is_start_fixed[Group::source(g, c)];
       if(Group::source(g, c) == w.axis)
         axis = c;

@@ -86,6 +86,16 @@ public:
   bool is_zero(const std::size_t i) { return m_is_zero[root(i)] != 0; }
   std::size_t size() const { return m_parent.size(); }
 
+  // Numbers the classes, in the order of their first elements. Returns how many there are.
+  std::size_t number(std::vector<std::int32_t>& class_of_element)
+  {
+    std::int32_t result = 0;
+    class_of_element.resize(size());
+    for(std::size_t i = 0; i < size(); ++i)
+      class_of_element[i] = root(i) == i ? result++ : class_of_element[root(i)];
+    return std::size_t(result);
+  }
+
 private:
   std::vector<std::int32_t> m_parent;
   std::vector<signed char> m_sign; // against the parent

@@ -49,6 +49,22 @@ inline int direction_of(const Flat_volume& volume, const Flat_volume::Aligned_ed
                               { return std::abs(x) < std::abs(y); }) - d.begin());
 }
 
+// Calls f(corners, c, name) for the corners of each aligned facet or edge, and each coordinate that
+// is constant there.
+template <typename F>
+void for_each_level(const Flat_volume& volume, const Volume_alignment& alignment, const F& f)
+{
+  for(std::size_t i = 0; i < volume.aligned_facets.size(); ++i)
+    f(corners_of_facet(volume.aligned_facets[i]), std::size_t(alignment.coordinate[i]),
+      [&] { return volume.name_of_facet(volume.aligned_facets[i]); });
+  for(std::size_t i = 0; i < volume.aligned_edges.size(); ++i)
+    for(std::size_t c = 0; c < 3; ++c)
+      if(const Flat_volume::Aligned_edge& edge = volume.aligned_edges[i];
+         int(c) != alignment.direction[i])
+        f(std::array<Corner_index, 2>{{edge.a, edge.b}}, c,
+          [&] { return volume.name_of_edge(edge); });
+}
+
 // A facet that is thinner than the noise takes the coordinate of the facets around it, which lie in
 // the same plane unless there is a crease.
 class Facet_alignment_reader
@@ -59,7 +75,7 @@ public:
   Facet_alignment_reader(const Flat_volume& volume, const Volume_transitions& transitions)
     : m_volume(volume),
       m_element(elements_of_facets(volume, transitions, false, Group::identity())),
-      m_place(volume.opposite.size(), -1), m_noise(transitions.noise)
+      m_place(volume.places_in(volume.aligned_facets)), m_noise(transitions.noise)
   { }
 
   Volume_alignment read()
@@ -77,41 +93,26 @@ public:
         m_result.coordinate[i] = k;
         m_is_decided[i] = 1;
       });
-    for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i)
-      measure(spread(m_volume.aligned_facets[i])[std::size_t(m_result.coordinate[i])], [&] {
-        return m_volume.name_of_facet(m_volume.aligned_facets[i]);
-      });
-    read_edges();
+    for(const Flat_volume::Aligned_edge& edge : m_volume.aligned_edges)
+      m_result.direction.push_back(direction_of(m_volume, edge));
+    for_each_level(m_volume, m_result, [&](const auto& corners, const std::size_t c,
+                                           const auto& name) {
+      if(const double miss = spread(m_volume, corners)[c]; miss > m_result.violation) {
+        m_result.violation = miss;
+        m_result.worst = name();
+      }
+    });
     return std::move(m_result);
   }
 
 private:
-  Uvw spread(const Corner_index facet) const
-  {
-    Uvw result;
-    const auto corners = corners_of_facet(facet);
-    for(std::size_t c = 0; c < 3; ++c) {
-      const auto [least, largest] = std::minmax(
-        {m_volume.uvw(corners[0])[c], m_volume.uvw(corners[1])[c], m_volume.uvw(corners[2])[c]});
-      result[c] = largest - least;
-    }
-    return result;
-  }
-
   void fit_facets()
   {
-    for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i) {
-      const Corner_index facet = m_volume.aligned_facets[i];
-      m_place[std::size_t(facet)] = std::int32_t(i);
-      if(m_volume.opposite[std::size_t(facet)] >= 0)
-        m_place[std::size_t(m_volume.opposite[std::size_t(facet)])] = std::int32_t(i);
-      const Uvw s = spread(facet);
+    for(const Corner_index facet : m_volume.aligned_facets) {
+      const Uvw s = spread(m_volume, corners_of_facet(facet));
       const auto least = std::min_element(s.begin(), s.end());
       m_result.coordinate.push_back(int(least - s.begin()));
-      for(const Corner_index corner : corners_of_facet(facet)) {
-        double& noise = m_noise[std::size_t(m_volume.vertex(corner))];
-        noise = (std::max)(noise, *least);
-      }
+      raise_at(m_volume, facet, *least, m_noise);
     }
   }
 
@@ -121,7 +122,7 @@ private:
   // Whether one coordinate alone may be the constant one.
   bool is_clear(const std::size_t i) const
   {
-    const Uvw s = spread(m_volume.aligned_facets[i]);
+    const Uvw s = spread(m_volume, corners_of_facet(m_volume.aligned_facets[i]));
     const double largest = largest_spread(m_volume.aligned_facets[i]);
     return std::count_if(s.begin(), s.end(), [&](const double x) { return x <= largest; }) <= 1;
   }
@@ -129,7 +130,7 @@ private:
   std::optional<int> most_wanted_coordinate(const std::size_t i) const
   {
     const Corner_index facet = m_volume.aligned_facets[i];
-    const Uvw s = spread(facet);
+    const Uvw s = spread(m_volume, corners_of_facet(facet));
     return most_wanted<3>(
       facet, [&](const Corner_index third) { return wanted_at_edge(facet, third); },
       [&](const int k) { return s[std::size_t(k)]; }, largest_spread(facet));
@@ -163,26 +164,6 @@ private:
     return int(Group::source(g, std::size_t(m_result.coordinate[i])));
   }
 
-  void read_edges()
-  {
-    for(const Flat_volume::Aligned_edge& edge : m_volume.aligned_edges) {
-      m_result.direction.push_back(direction_of(m_volume, edge));
-      for(std::size_t c = 0; c < 3; ++c)
-        if(int(c) != m_result.direction.back())
-          measure(std::abs(m_volume.uvw(edge.b)[c] - m_volume.uvw(edge.a)[c]),
-                  [&] { return m_volume.name_of_edge(edge); });
-    }
-  }
-
-  template <typename Name>
-  void measure(const double miss, const Name& name)
-  {
-    if(miss <= m_result.violation)
-      return;
-    m_result.violation = miss;
-    m_result.worst = name();
-  }
-
   const Flat_volume& m_volume;
   std::vector<signed char> m_element; // per facet: to the other side
   std::vector<std::int32_t> m_place;  // per facet: among the aligned ones, or -1
@@ -190,6 +171,20 @@ private:
   std::vector<char> m_is_decided;     // per aligned facet
   Volume_alignment m_result;
 };
+
+// All that is asked of the coordinates.
+struct Volume_constraints
+{
+  Volume_transitions transitions;
+  Volume_alignment alignment;
+};
+
+inline Volume_constraints read_constraints(const Flat_volume& volume)
+{
+  Volume_constraints result{Facet_transition_reader(volume).read(), {}};
+  result.alignment = Facet_alignment_reader(volume, result.transitions).read();
+  return result;
+}
 
 } // namespace internal
 } // namespace Seamless_snapping

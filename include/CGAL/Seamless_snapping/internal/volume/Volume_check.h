@@ -72,11 +72,9 @@ public:
   Grid_edge_finder(const Flat_volume& volume, const Volume_transitions& transitions)
     : m_volume(volume),
       m_element(elements_of_facets(volume, transitions, false, Group::identity())),
-      m_is_aligned(volume.opposite.size(), 0), m_is_done(6 * volume.number_of_cells(), 0)
-  {
-    for(const Corner_index facet : volume.aligned_facets)
-      m_is_aligned[std::size_t(facet)] = 1;
-  }
+      m_aligned(volume.places_in(volume.aligned_facets)),
+      m_is_done(6 * volume.number_of_cells(), 0)
+  { }
 
   std::vector<Grid_edge> find()
   {
@@ -132,23 +130,19 @@ private:
     const bool is_interior = ring.can_cross();
     if(is_interior ? g != Group::identity() || (!is_folded && angle > 4 * pi - pi / 4)
                    : !is_folded && angle > 2 * pi - pi / 4 &&
-                       m_is_aligned[std::size_t(facet)] != 0 &&
-                       m_is_aligned[std::size_t(ring.facet())] != 0)
-      add(facet, third, is_interior, is_interior ? g : Group::identity(),
-          int(std::lround(2 * angle / pi)));
-  }
-
-  void add(const Corner_index facet, const Corner_index third, const bool is_interior, const int g,
-           const int quarter_turns)
-  {
-    const std::array<Corner_index, 2> ends = edge_of_facet(facet, third);
-    m_result.push_back({{ends[0], ends[1], axis_of(g)}, is_interior,
-                        g != Group::identity() && axis_of(g) == no_axis, quarter_turns});
+                       m_aligned[std::size_t(facet)] >= 0 &&
+                       m_aligned[std::size_t(ring.facet())] >= 0) {
+      const std::array<Corner_index, 2> ends = edge_of_facet(facet, third);
+      const int axis = is_interior ? axis_of(g) : no_axis;
+      m_result.push_back({{ends[0], ends[1], axis}, is_interior,
+                          is_interior && g != Group::identity() && axis == no_axis,
+                          int(std::lround(2 * angle / pi))});
+    }
   }
 
   const Flat_volume& m_volume;
   std::vector<signed char> m_element; // per facet: to the other side
-  std::vector<char> m_is_aligned;     // per facet, on one of its sides
+  std::vector<std::int32_t> m_aligned; // per facet: its place among the aligned ones, or -1
   std::vector<char> m_is_done;        // per edge of a cell
   std::vector<Grid_edge> m_result;
   std::size_t m_number_of_edges = 0;
@@ -157,10 +151,10 @@ private:
 // Calls f(corner, c) for coordinates at which an open or aligned facet or an aligned edge is
 // inexact; for transitions, in the chart of the cell on the other side. In the input, that is all.
 template <typename F>
-void for_each_inexact_coordinate(const Flat_volume& volume, const Volume_transitions& transitions,
-                                 const Volume_alignment& alignment, const std::vector<Uvw>& u,
-                                 const F& f)
+void for_each_inexact_coordinate(const Flat_volume& volume, const Volume_constraints& constraints,
+                                 const std::vector<Uvw>& u, const F& f)
 {
+  const Volume_transitions& transitions = constraints.transitions;
   const auto compare = [&](const Corner_index a, const Corner_index b, const std::size_t c) {
     if(u[std::size_t(a)][c] != u[std::size_t(b)][c]) {
       f(a, c);
@@ -181,28 +175,22 @@ void for_each_inexact_coordinate(const Flat_volume& volume, const Volume_transit
         for(const Corner_index corner : corners_of_facet(facet))
           f(volume.across(facet, corner), c);
   }
-  for(std::size_t i = 0; i < volume.aligned_facets.size(); ++i) {
-    const auto corners = corners_of_facet(volume.aligned_facets[i]);
-    for(std::size_t j = 1; j < 3; ++j)
-      compare(corners[0], corners[j], std::size_t(alignment.coordinate[i]));
-  }
-  for(std::size_t i = 0; i < volume.aligned_edges.size(); ++i)
-    for(std::size_t c = 0; c < 3; ++c)
-      if(int(c) != alignment.direction[i])
-        compare(volume.aligned_edges[i].a, volume.aligned_edges[i].b, c);
+  for_each_level(volume, constraints.alignment, [&](const auto& corners, const std::size_t c,
+                                                    const auto&) {
+    for(std::size_t j = 1; j < corners.size(); ++j)
+      compare(corners[0], corners[j], c);
+  });
 }
 
-inline bool is_exact(const Flat_volume& volume, const Volume_transitions& transitions,
-                     const Volume_alignment& alignment, const std::vector<Uvw>& u)
+inline bool is_exact(const Flat_volume& volume, const Volume_constraints& constraints,
+                     const std::vector<Uvw>& u)
 {
   bool result = true;
-  for_each_inexact_coordinate(volume, transitions, alignment, u,
+  for_each_inexact_coordinate(volume, constraints, u,
                               [&](Corner_index, std::size_t) { result = false; });
-  std::vector<char> is_open(volume.opposite.size(), 0);
-  for(const Corner_index facet : volume.open_facets)
-    is_open[std::size_t(facet)] = is_open[std::size_t(volume.opposite[std::size_t(facet)])] = 1;
+  const std::vector<std::int32_t> open = volume.places_in(volume.open_facets);
   for(std::size_t i = 0; i < volume.opposite.size() && result; ++i)
-    if(volume.opposite[i] > Corner_index(i) && is_open[i] == 0)
+    if(volume.opposite[i] > Corner_index(i) && open[i] < 0)
       for(const Corner_index corner : corners_of_facet(Corner_index(i)))
         result = result && u[std::size_t(corner)] ==
                              u[std::size_t(volume.across(Corner_index(i), corner))];
@@ -245,12 +233,20 @@ inline bool is_on_line(const Flat_volume& volume, const Flat_volume::Aligned_edg
   return true;
 }
 
+// Whether an edge lies on a line of the integer grid, exactly.
+inline bool is_on_grid_line(const Flat_volume& volume, const Flat_volume::Aligned_edge& edge)
+{
+  const int direction = direction_of(volume, edge);
+  return is_on_line(volume, edge, direction) &&
+         line_distance(edge, direction, volume.coordinates) == 0;
+}
+
 // Counts what is off the integers, and measures by how much: translations and levels.
 // \pre the map is exactly seamless and aligned, else distances refer to one vertex only
-inline void measure_distances(const Flat_volume& volume, const Volume_transitions& transitions,
-                              const Volume_alignment& alignment, const std::vector<Uvw>& u,
-                              Volume_integer_grid_measure& measure)
+inline void measure_distances(const Flat_volume& volume, const Volume_constraints& constraints,
+                              const std::vector<Uvw>& u, Volume_integer_grid_measure& measure)
 {
+  const auto& [transitions, alignment] = constraints;
   const auto note = [](const double distance, std::size_t& number, double& largest) {
     number += std::size_t(distance != 0);
     largest = (std::max)(largest, distance);
@@ -269,12 +265,14 @@ inline void measure_distances(const Flat_volume& volume, const Volume_transition
          measure.number_of_noninteger_edges, measure.alignment_distance);
 }
 
-inline bool is_on_integers(const Flat_volume& volume, const Volume_transitions& transitions,
-                           const Volume_alignment& alignment, const std::vector<Uvw>& u)
+// Whether a map is exactly seamless and aligned, and on integers.
+inline bool is_on_integers(const Flat_volume& volume, const Volume_constraints& constraints,
+                           const std::vector<Uvw>& u)
 {
   Volume_integer_grid_measure measure;
-  measure_distances(volume, transitions, alignment, u, measure);
-  return measure.translation_distance == 0 && measure.alignment_distance == 0;
+  measure_distances(volume, constraints, u, measure);
+  return measure.translation_distance == 0 && measure.alignment_distance == 0 &&
+         is_exact(volume, constraints, u);
 }
 
 // The corners of vertices at which other than two of the interior edges meet.
@@ -298,12 +296,12 @@ inline void measure_singular_edges(const Flat_volume& volume, const Volume_trans
   const std::vector<Grid_edge> edges = Grid_edge_finder(volume, transitions).find();
   measure.number_of_singular_edges = edges.size();
   for(const Grid_edge& edge : edges) {
-    const int direction = direction_of(volume, edge.edge);
-    const double distance =
-      edge.is_skew ? 0 : line_distance(edge.edge, direction, volume.coordinates);
     measure.number_of_noninteger_singular_edges +=
-      std::size_t(edge.is_skew || distance != 0 || !is_on_line(volume, edge.edge, direction));
-    measure.alignment_distance = (std::max)(measure.alignment_distance, distance);
+      std::size_t(edge.is_skew || !is_on_grid_line(volume, edge.edge));
+    if(!edge.is_skew)
+      measure.alignment_distance =
+        (std::max)(measure.alignment_distance,
+                   line_distance(edge.edge, direction_of(volume, edge.edge), volume.coordinates));
   }
   std::map<std::int32_t, bool> is_off; // the grid, per vertex that is a node
   for(const Corner_index corner : corners_of_nodes(volume, edges)) {
@@ -320,11 +318,9 @@ inline void measure_orientations(const Flat_volume& volume, Volume_integer_grid_
 {
   using Number = CGAL::internal::Exact_ring_selector<double>::Type;
   Number six_volumes(0);
-  for(std::size_t c = 0; c < volume.number_of_cells(); ++c) {
-    const Uvw_tetrahedron u = uvw_of_cell(volume.coordinates, c);
-    measure.number_of_nonpositive_cells += std::size_t(orientation(u) != CGAL::POSITIVE);
-    six_volumes += exact_determinant<Number>(u);
-  }
+  for(std::size_t c = 0; c < volume.number_of_cells(); ++c)
+    six_volumes += exact_determinant<Number>(uvw_of_cell(volume.coordinates, c));
+  measure.number_of_nonpositive_cells = nonpositive_cells(volume.coordinates).size();
   measure.volume = CGAL::to_double(six_volumes) / 6;
 }
 

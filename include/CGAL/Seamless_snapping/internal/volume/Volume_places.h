@@ -38,27 +38,29 @@ namespace internal {
 // Places have slots, and each of their members has a sector in each slot. What the arcs of two
 // vertices have in common is told by the names of sheets and levels alone, so that members need
 // not be near each other. Where corners of the mesh touch at a vertex, each part is a member.
-// Arcs and levels belong to the first member, whose sectors are named by slots.
+// Arcs and levels belong to the first member, whose sectors are named by slots, counted from the
+// place's first.
 struct Volume_places
 {
   struct Place
   {
     std::size_t first_slot, number_of_slots;
-    std::size_t first_arc, end_of_arcs, first_level, end_of_levels;
     std::vector<Sector_number> members; // the sectors of the first in the order of slots, and so on
+    std::vector<Sector_arc> arcs;
+    std::vector<Sector_level> levels;
 
-    bool is_constrained() const
-    { return first_arc != end_of_arcs || first_level != end_of_levels; }
+    bool is_constrained() const { return !arcs.empty() || !levels.empty(); }
     std::size_t number_of_members() const { return members.size() / number_of_slots; }
     Sector_number sector(const std::size_t member, const std::size_t slot) const
     {
       return members[member * number_of_slots + slot];
     }
+    // The column of coordinate c of a slot in the system of places, which members share.
+    std::size_t column(const std::size_t slot, const std::size_t c) const
+    { return 3 * (first_slot + slot) + c; }
   };
 
   std::vector<Place> places;
-  std::vector<Sector_arc> arcs;     // by place; sectors are slots, counted from the place's first
-  std::vector<Sector_level> levels; // likewise
   std::size_t number_of_slots = 0;
 };
 
@@ -171,22 +173,19 @@ private:
 
   void add_place(const std::vector<Sector_number>& part)
   {
-    Volume_places::Place place{m_result.number_of_slots, part.size(), m_result.arcs.size(), 0,
-                               m_result.levels.size(), 0, part};
+    Volume_places::Place place{m_result.number_of_slots, part.size(), part, {}, {}};
     for(std::size_t i = 0; i < part.size(); ++i)
       m_slot[std::size_t(part[i])] = std::int32_t(i);
     for(const Sector_number s : part) {
       const Sector_number slot = m_slot[std::size_t(s)];
       for(const Link& link : m_links[std::size_t(s)])
         if(link.first % 2 == 0)
-          m_result.arcs.push_back({slot, m_slot[std::size_t(link.second)], link.first / 2});
+          place.arcs.push_back({slot, m_slot[std::size_t(link.second)], link.first / 2});
       for(const Label& label : m_levels[std::size_t(s)])
-        m_result.levels.push_back({slot, label.first, label.second});
+        place.levels.push_back({slot, label.first, label.second});
     }
     for(const Sector_number s : part)
       m_slot[std::size_t(s)] = -1;
-    place.end_of_arcs = m_result.arcs.size();
-    place.end_of_levels = m_result.levels.size();
     m_result.number_of_slots += part.size();
     m_result.places.push_back(std::move(place));
   }
@@ -219,7 +218,7 @@ struct Place_freedom
   }
 };
 
-inline Place_freedom freedom_of(const Volume_places::Place& place, const Volume_places& places,
+inline Place_freedom freedom_of(const Volume_places::Place& place,
                                 const std::vector<Cube_rotations::Element>& sheet_element)
 {
   using Group = Cube_rotations;
@@ -228,8 +227,7 @@ inline Place_freedom freedom_of(const Volume_places::Place& place, const Volume_
   rotation[0] = Group::identity();
   for(bool is_done = false; !is_done;) { // the arcs connect the slots
     is_done = true;
-    for(std::size_t i = place.first_arc; i < place.end_of_arcs; ++i) {
-      const Sector_arc& arc = places.arcs[i];
+    for(const Sector_arc& arc : place.arcs) {
       int &plus = rotation[std::size_t(arc.plus)], &minus = rotation[std::size_t(arc.minus)];
       const int g = sheet_element[std::size_t(arc.sheet)];
       if((plus < 0) != (minus < 0)) {
@@ -240,19 +238,16 @@ inline Place_freedom freedom_of(const Volume_places::Place& place, const Volume_
     }
   }
   Signed_union_find coordinates(3);
-  for(std::size_t i = place.first_arc; i < place.end_of_arcs; ++i) {
-    const Sector_arc& arc = places.arcs[i];
+  for(const Sector_arc& arc : place.arcs) {
     const int along = Group::compose(sheet_element[std::size_t(arc.sheet)],
                                      rotation[std::size_t(arc.plus)]);
     const int loop = Group::compose(Group::inverse(rotation[std::size_t(arc.minus)]), along);
     for(std::size_t c = 0; c < 3; ++c)
       coordinates.unite(c, Group::source(loop, c), Group::sign(loop, c));
   }
-  for(std::size_t i = place.first_level; i < place.end_of_levels; ++i) {
-    const Sector_level& level = places.levels[i];
+  for(const Sector_level& level : place.levels)
     coordinates.set_zero(Group::source(rotation[std::size_t(level.sector)],
                                        std::size_t(level.coordinate)));
-  }
   for(std::size_t c = 0; c < 3; ++c) {
     const auto found = coordinates.find(c);
     result.first[c] = coordinates.is_zero(c) ? -1 : int(found.index);
@@ -283,7 +278,7 @@ public:
   {
     for(std::size_t p = 0; p < places.places.size(); ++p) {
       const Place& place = places.places[p];
-      m_freedoms.push_back(freedom_of(place, places, sectors.sheet_element));
+      m_freedoms.push_back(freedom_of(place, sectors.sheet_element));
       for(std::size_t i = 0; i < place.members.size(); ++i)
         m_member_of_sector[std::size_t(place.members[i])] =
           {m_member.size() + i / place.number_of_slots, i % place.number_of_slots};
@@ -351,9 +346,8 @@ public:
     return is_kept;
   }
 
-  // The column of coordinate c of a sector in the system of places, which members share.
   std::size_t column(const Member_index m, const std::size_t slot, const std::size_t c) const
-  { return 3 * (place(m).first_slot + slot) + c; }
+  { return place(m).column(slot, c); }
 
   std::size_t column(const Corner_index i, const std::size_t c) const
   { return column(member_of_corner(i), slot_of_corner(i), c); }
@@ -387,23 +381,17 @@ private:
   std::size_t m_number_of_unknowns = 0;
 };
 
-// The constraints of a volume, computed from coordinates that meet them exactly, or nearly so. Its
-// parts refer to each other.
+// All that constraints say of a volume. Its parts refer to each other.
 struct Volume_structure
 {
-  Volume_transitions transitions;
-  Volume_alignment alignment;
   Volume_sectors sectors;
-  Volume_charts charts; // charts of the input
+  Volume_charts charts;
   Volume_places places;
   Volume_members members;
 
-  explicit Volume_structure(const Flat_volume& volume)
-    : transitions(Facet_transition_reader(volume).read()),
-      alignment(Facet_alignment_reader(volume, transitions).read()),
-      sectors(Sector_builder(volume, transitions, alignment).build()),
-      charts(volume.number_of_cells()), places(Place_finder(sectors, charts).find()),
-      members(sectors, places)
+  Volume_structure(Volume_sectors of_vertices, Volume_charts of_cells)
+    : sectors(std::move(of_vertices)), charts(std::move(of_cells)),
+      places(Place_finder(sectors, charts).find()), members(sectors, places)
   { }
   Volume_structure(const Volume_structure&) = delete;
   Volume_structure& operator=(const Volume_structure&) = delete;

@@ -47,11 +47,10 @@ class Volume_repair
   using Move = std::array<std::int64_t, 3>; // in steps, per coordinate of the first slot
 
 public:
-  Volume_repair(const Flat_volume& input, const Volume_charts& charts,
-                const Volume_members& members, const Place_solver& solver,
-                std::vector<Uvw>& coordinates)
-    : m_volume(input), m_charts(charts), m_members(members), m_solver(solver),
-      m_coordinates(coordinates)
+  Volume_repair(const Flat_volume& input, const Volume_structure& structure,
+                const Place_solver& solver, std::vector<Uvw>& coordinates)
+    : m_volume(input), m_charts(structure.charts), m_members(structure.members),
+      m_solver(solver), m_coordinates(coordinates)
   {
     int exponent = 0;
     std::frexp(input.extent, &exponent);
@@ -160,18 +159,11 @@ private:
   Uvw gradient(const std::size_t corner) const
   {
     const Uvw_tetrahedron u = uvw_of_cell(m_coordinates, corner / 4);
-    std::array<Uvw, 3> e; // from the corner to the others, in an order that keeps the orientation
-    constexpr std::size_t others[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+    std::array<Uvw, 3> e;
     for(std::size_t i = 0; i < 3; ++i)
       for(std::size_t c = 0; c < 3; ++c)
-        e[i][c] = m_scale * (u[others[corner % 4][i]][c] - u[corner % 4][c]);
-    Uvw result{};
-    for(std::size_t i = 0; i < 3; ++i) { // less the cross products of two
-      const Uvw normal = vector_product(e[i], e[(i + 1) % 3]);
-      for(std::size_t c = 0; c < 3; ++c)
-        result[c] -= normal[c];
-    }
-    return result;
+        e[i][c] = m_scale * (u[i + 1][c] - u[0][c]);
+    return facet_normals(e)[corner % 4];
   }
 
   double volume(const std::vector<Uvw>& u, const std::size_t c) const

@@ -52,9 +52,10 @@ class Volume_chart_mover
   using Group = Cube_rotations;
 
 public:
-  Volume_chart_mover(const Flat_volume& volume, const Volume_structure& structure)
-    : m_volume(volume), m_alignment(structure.alignment), m_members(structure.members),
-      m_element(elements_of_facets(volume, structure.transitions, true, -1)),
+  Volume_chart_mover(const Flat_volume& volume, const Volume_constraints& constraints,
+                     const Volume_members& members)
+    : m_volume(volume), m_alignment(constraints.alignment), m_members(members),
+      m_element(elements_of_facets(volume, constraints.transitions, true, -1)),
       m_chart_of_cell(volume.number_of_cells(), -1)
   { }
 
@@ -164,19 +165,14 @@ private:
     constexpr double turn = 2 * 3.14159265358979323846;
     using Phase = std::complex<double>;
     std::vector<std::array<Phase, 3> > sums(m_number_of_components);
-    const auto add = [&](const Corner_index corner, const std::size_t c) {
-      const Chart& chart = this->chart(std::size_t(corner));
-      const double level = m_volume.uvw(corner)[c] + chart.shift[c];
+    for_each_level(m_volume, m_alignment, [&](const auto& corners, const std::size_t c,
+                                              const auto&) {
+      const Chart& chart = this->chart(std::size_t(corners[0]));
+      const double level = m_volume.uvw(corners[0])[c] + chart.shift[c];
       const int g = chart.rotation;
       sums[chart.component][Group::source(g, c)] +=
         std::polar(1., Group::sign(g, c) * turn * (level - std::round(level)));
-    };
-    for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i)
-      add(corners_of_facet(m_volume.aligned_facets[i])[0], std::size_t(m_alignment.coordinate[i]));
-    for(std::size_t i = 0; i < m_volume.aligned_edges.size(); ++i)
-      for(std::size_t c = 0; c < 3; ++c)
-        if(int(c) != m_alignment.direction[i])
-          add(m_volume.aligned_edges[i].a, c);
+    });
     std::vector<Uvw> result(m_number_of_components);
     for(std::size_t k = 0; k < result.size(); ++k)
       for(std::size_t c = 0; c < 3; ++c)
@@ -221,10 +217,12 @@ class Volume_rounder
 
 public:
   // \param tolerance of alignments, absolute
-  Volume_rounder(const Flat_volume& volume, const Volume_structure& structure,
-                 const double tolerance, const double rounding_tolerance,
-                 const Number_format& format, Snapping_report& report, Step_timer& timer)
-    : m_volume(volume), m_structure(structure), m_members(structure.members),
+  Volume_rounder(const Flat_volume& volume, const Volume_constraints& constraints,
+                 const Volume_structure& structure, const double tolerance,
+                 const double rounding_tolerance, const Number_format& format,
+                 Snapping_report& report, Step_timer& timer)
+    : m_volume(volume), m_constraints(constraints), m_structure(structure),
+      m_members(structure.members),
       m_tolerance(tolerance), m_rounding_tolerance(rounding_tolerance), m_format(format),
       m_report(report), m_timer(timer),
       m_integers(structure, format)
@@ -234,8 +232,7 @@ public:
   // \param rounded the rounded coordinates of the volume
   std::optional<Refusal> run(std::vector<Uvw>& rounded)
   {
-    const Volume_transitions& transitions = m_structure.transitions;
-    const Volume_alignment& alignment = m_structure.alignment;
+    const Volume_alignment& alignment = m_constraints.alignment;
     if(alignment.violation > m_tolerance)
       return Refusal(Outcome::NOT_INTEGER,
                      alignment.worst + ", around which cells have 720 degrees or the boundary "
@@ -243,13 +240,12 @@ public:
                      "constant coordinates; correct the map there");
     if(const auto refusal = check_range())
       return refusal;
-    if(is_exact(m_volume, transitions, alignment, m_volume.coordinates) &&
-       is_on_integers(m_volume, transitions, alignment, m_volume.coordinates))
+    if(is_on_integers(m_volume, m_constraints, m_volume.coordinates))
       return std::nullopt;
     m_report.linear_solver = m_integers.linear_solver().figures();
     std::vector<Uvw> u = m_volume.coordinates;
     const std::vector<Separation> separations =
-      Separation_finder(m_volume, transitions, m_members).find();
+      Separation_finder(m_volume, m_constraints.transitions, m_members).find();
     if(!m_integers.solve(u, separations, {}))
       return not_representable();
     auto worst = largest_rounding(u);
@@ -257,7 +253,7 @@ public:
     const bool is_far = worst.first > negligible_volume_rounding;
     if(is_far) {
       const std::size_t joined = m_integers.number_of_joined();
-      Volume_chart_mover mover(m_volume, m_structure);
+      Volume_chart_mover mover(m_volume, m_constraints, m_members);
       std::vector<Uvw> moved = u;
       if(m_rounding_tolerance > 0)
         moved = mover.run();
@@ -291,8 +287,7 @@ public:
                               "grid_scale"));
     if(!expand(displacement, is_far, rounded))
       return not_representable();
-    if(!is_exact(m_volume, transitions, alignment, rounded) ||
-       !is_on_integers(m_volume, transitions, alignment, rounded))
+    if(!is_on_integers(m_volume, m_constraints, rounded))
       return Refusal(Outcome::INTERNAL_ERROR,
                      "the integer-grid map failed its exact verification and was discarded; please "
                      "report this");
@@ -341,23 +336,14 @@ private:
         result = {distance, name()};
     };
     for(std::size_t i = 0; i < m_volume.open_facets.size(); ++i)
-      if(m_structure.transitions.is_cut[i] != 0)
+      if(m_constraints.transitions.is_cut[i] != 0)
         for(std::size_t c = 0; c < 3; ++c)
           note_translation(u, i, c, note);
-    for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i) {
-      const Corner_index corner = corners_of_facet(m_volume.aligned_facets[i])[0];
-      const std::size_t c = std::size_t(m_structure.alignment.coordinate[i]);
-      note(u[std::size_t(corner)][c], m_integers(corner, c), [&] {
-        return "the level of " + m_volume.name_of_facet(m_volume.aligned_facets[i]);
-      });
-    }
-    for(std::size_t i = 0; i < m_volume.aligned_edges.size(); ++i)
-      for(std::size_t c = 0; c < 3; ++c)
-        if(const Corner_index corner = m_volume.aligned_edges[i].a;
-           int(c) != m_structure.alignment.direction[i])
-          note(u[std::size_t(corner)][c], m_integers(corner, c), [&] {
-            return m_volume.name_of_edge(m_volume.aligned_edges[i]);
-          });
+    for_each_level(m_volume, m_constraints.alignment, [&](const auto& corners, const std::size_t c,
+                                                          const auto& name) {
+      note(u[std::size_t(corners[0])][c], m_integers(corners[0], c),
+           [&] { return (corners.size() == 3 ? "the level of " : "") + name(); });
+    });
     return result;
   }
 
@@ -367,7 +353,7 @@ private:
   {
     const Corner_index facet = m_volume.open_facets[i], here = corners_of_facet(facet)[0],
                        there = m_volume.across(facet, here);
-    const int g = m_structure.transitions.element[i];
+    const int g = m_constraints.transitions.element[i];
     const std::size_t source = Group::source(g, c);
     const int sign = Group::sign(g, c);
     note(u[std::size_t(there)][c] - sign * u[std::size_t(here)][source],
@@ -414,6 +400,7 @@ private:
   }
 
   const Flat_volume& m_volume;
+  const Volume_constraints& m_constraints;
   const Volume_structure& m_structure;
   const Volume_members& m_members;
   double m_tolerance, m_rounding_tolerance;

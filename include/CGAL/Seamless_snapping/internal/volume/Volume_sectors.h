@@ -81,9 +81,8 @@ class Sector_builder
   using Group = Cube_rotations;
 
 public:
-  Sector_builder(const Flat_volume& volume, const Volume_transitions& transitions,
-                 const Volume_alignment& alignment)
-    : m_volume(volume), m_transitions(transitions), m_alignment(alignment)
+  Sector_builder(const Flat_volume& volume, const Volume_constraints& constraints)
+    : m_volume(volume), m_transitions(constraints.transitions), m_alignment(constraints.alignment)
   { }
 
   Volume_sectors build()
@@ -98,14 +97,11 @@ private:
   // All facets but cuts join the corners on both sides.
   void number_sectors()
   {
-    std::vector<char> is_cut(m_volume.opposite.size(), 0);
-    for(std::size_t i = 0; i < m_volume.open_facets.size(); ++i)
-      is_cut[std::size_t(m_volume.open_facets[i])] = m_transitions.is_cut[i];
-    // a facet is cut if it is as seen from the cell that the list names
+    const std::vector<signed char> cut = elements_of_facets(m_volume, m_transitions, true, -1);
     Signed_union_find classes(m_volume.vertices.size());
     for(std::size_t f = 0; f < m_volume.opposite.size(); ++f) {
-      const Corner_index facet = Corner_index(f), other = m_volume.opposite[f];
-      if(other < facet || is_cut[f] != 0 || is_cut[std::size_t(other)] != 0)
+      const Corner_index facet = Corner_index(f);
+      if(m_volume.opposite[f] < facet || cut[f] >= 0)
         continue;
       for(const Corner_index corner : corners_of_facet(facet))
         if(!is_fixed(corner))
@@ -208,20 +204,14 @@ private:
   {
     Signed_union_find classes(3 * m_result.number_of_sectors());
     std::vector<std::size_t> members;
-    const auto join = [&](const Corner_index a, const Corner_index b, const std::size_t k) {
-      for(const Corner_index corner : {a, b})
-        members.push_back(3 * std::size_t(m_result.sector[std::size_t(corner)]) + k);
-      classes.unite(members[members.size() - 2], members.back());
-    };
-    for(std::size_t i = 0; i < m_volume.aligned_facets.size(); ++i) {
-      const auto corners = corners_of_facet(m_volume.aligned_facets[i]);
-      for(std::size_t j = 1; j < 3; ++j)
-        join(corners[0], corners[j], std::size_t(m_alignment.coordinate[i]));
-    }
-    for(std::size_t i = 0; i < m_volume.aligned_edges.size(); ++i)
-      for(std::size_t k = 0; k < 3; ++k)
-        if(int(k) != m_alignment.direction[i])
-          join(m_volume.aligned_edges[i].a, m_volume.aligned_edges[i].b, k);
+    for_each_level(m_volume, m_alignment, [&](const auto& corners, const std::size_t c,
+                                              const auto&) {
+      const std::size_t first = members.size();
+      for(const Corner_index corner : corners)
+        members.push_back(3 * std::size_t(m_result.sector[std::size_t(corner)]) + c);
+      for(std::size_t j = first + 1; j < members.size(); ++j)
+        classes.unite(members[first], members[j]);
+    });
     std::sort(members.begin(), members.end());
     members.erase(std::unique(members.begin(), members.end()), members.end());
     std::vector<Level_number> number(classes.size(), -1);

@@ -66,6 +66,16 @@ inline std::vector<signed char> elements_of_facets(const Flat_volume& volume,
   return result;
 }
 
+// Raises the values at the vertices of a facet to at least `x`.
+inline void raise_at(const Flat_volume& volume, const Corner_index facet, const double x,
+                     std::vector<double>& noise)
+{
+  for(const Corner_index corner : corners_of_facet(facet)) {
+    double& y = noise[std::size_t(volume.vertex(corner))];
+    y = (std::max)(y, x);
+  }
+}
+
 // The largest value at the vertices of a facet.
 inline double largest_at(const Flat_volume& volume, const std::vector<double>& noise,
                          const Corner_index facet)
@@ -128,14 +138,8 @@ class Facet_transition_reader
 
 public:
   explicit Facet_transition_reader(const Flat_volume& volume)
-    : m_volume(volume), m_place(volume.opposite.size(), -1)
-  {
-    for(std::size_t i = 0; i < volume.open_facets.size(); ++i) {
-      const Corner_index facet = volume.open_facets[i];
-      m_place[std::size_t(facet)] = std::int32_t(i);
-      m_place[std::size_t(volume.opposite[std::size_t(facet)])] = std::int32_t(i);
-    }
-  }
+    : m_volume(volume), m_place(volume.places_in(volume.open_facets))
+  { }
 
   Volume_transitions read()
   {
@@ -166,11 +170,8 @@ private:
     for(std::size_t i = 0; i < size; ++i) {
       const Facet_vectors vectors(m_volume.sides(m_volume.open_facets[i]));
       m_result.element[i] = vectors.best_fit();
-      const double least = vectors.residual(m_result.element[i]);
-      for(const Corner_index corner : corners_of_facet(m_volume.open_facets[i])) {
-        double& noise = m_result.noise[std::size_t(m_volume.vertex(corner))];
-        noise = (std::max)(noise, least);
-      }
+      raise_at(m_volume, m_volume.open_facets[i], vectors.residual(m_result.element[i]),
+               m_result.noise);
     }
   }
 

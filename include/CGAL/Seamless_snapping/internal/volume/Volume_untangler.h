@@ -58,15 +58,6 @@ public:
       m_coordinates(coordinates)
   { }
 
-  std::vector<std::size_t> cells_to_repair() const
-  {
-    std::vector<std::size_t> result;
-    for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c)
-      if(!is_good(c))
-        result.push_back(c);
-    return result;
-  }
-
   // Passes over the vertices of cells to repair, and of layers of cells around them, which grow
   // where that does not help. Returns the number of passes.
   // \param may_lose whether cells may lose their orientation on the way; none does in the end
@@ -77,7 +68,7 @@ public:
     const std::vector<Uvw> before = m_coordinates;
     m_may_lose = may_lose;
     std::size_t passes = 0, reach = 1, idle = 0;
-    std::vector<std::size_t> bad = cells_to_repair();
+    std::vector<std::size_t> bad = nonpositive_cells(m_coordinates);
     std::size_t least = bad.size();
     while(!bad.empty() && passes < largest_number_of_passes) {
       ++passes;
@@ -86,7 +77,7 @@ public:
       bool has_moved = false;
       for(const Member_index m : members_around(bad, reach))
         has_moved = improve(m) || has_moved;
-      bad = cells_to_repair();
+      bad = nonpositive_cells(m_coordinates);
       idle = bad.size() < least ? 0 : idle + 1;
       least = (std::min)(least, bad.size());
       if(has_moved && idle % patience != patience - 1)

@@ -71,39 +71,39 @@ public:
   // `ALREADY_EXACT` before. Returns why there are none, if so.
   std::optional<Refusal> run(std::vector<Uvw>& snapped)
   {
-    const Volume_transitions transitions = Facet_transition_reader(m_volume).read();
+    Volume_constraints constraints{Facet_transition_reader(m_volume).read(), {}};
+    const Volume_transitions& transitions = constraints.transitions;
     fill_in(transitions);
     m_timer.finish("transitions");
     if(transitions.violation > m_tolerance)
       return not_seamless(transitions);
-    const Volume_alignment alignment = Facet_alignment_reader(m_volume, transitions).read();
+    const Volume_alignment& alignment = constraints.alignment =
+      Facet_alignment_reader(m_volume, transitions).read();
     m_report.violation_before = (std::max)(transitions.violation, alignment.violation);
     m_timer.finish("alignment");
     if(alignment.violation > m_tolerance)
       return not_aligned(alignment);
-    std::vector<char> is_inexact = inexact_coordinates(transitions, alignment);
+    std::vector<char> is_inexact = inexact_coordinates(constraints);
     if(is_inexact.empty())
       return std::nullopt;
     m_timer.finish("verification of the input");
 
-    Joined_charts joined{Volume_charts(m_volume.number_of_cells()), {}, {}};
-    const bool is_joined = Chart_joiner(m_volume, transitions).run(alignment, joined);
+    Joined_charts joined{Volume_charts(m_volume.number_of_cells()), {}};
+    const bool is_joined = Chart_joiner(m_volume, constraints).run(joined);
     m_timer.finish("charts");
-    const Volume_sectors sectors =
-      Sector_builder(m_volume, is_joined ? joined.transitions : transitions,
-                     is_joined ? joined.alignment : alignment).build();
+    Volume_sectors sectors =
+      Sector_builder(m_volume, is_joined ? joined.constraints : constraints).build();
     m_timer.finish("sectors");
     if(is_joined)
       Chart_fitter(m_volume, sectors, joined.charts).run(m_report.violation_before, m_format);
     m_timer.finish("fitting of charts");
-    const Volume_places places = Place_finder(sectors, joined.charts).find();
-    const Volume_members members(sectors, places);
-    fill_in(sectors, places);
+    const Volume_structure structure(std::move(sectors), std::move(joined.charts));
+    fill_in(structure);
     m_timer.finish("places");
-    is_inexact = inexact_columns(is_inexact, joined.charts, members, 3 * places.number_of_slots);
+    is_inexact = inexact_columns(is_inexact, structure);
     if(is_joined)
-      spread_over_joined_charts(joined.charts, sectors, members, is_inexact);
-    Place_solver solver(m_volume, joined.charts, sectors, places, members, is_inexact, m_format);
+      spread_over_joined_charts(structure, is_inexact);
+    Place_solver solver(m_volume, structure, is_inexact, m_format);
     m_report.linear_solver = solver.linear_solver().figures();
     m_report.grid_step = solver.coarsest_step();
     m_timer.finish("elimination");
@@ -113,15 +113,15 @@ public:
                      remedy("scale the map down"));
     m_timer.finish("solution");
 
-    const Largest_change change = repair(joined.charts, members, solver, snapped);
+    const Largest_change change = repair(structure, solver, snapped);
     m_timer.finish("orientation");
     if(change.size > largest_plausible_change())
       return collapsed(change);
-    if(!is_exact(m_volume, transitions, alignment, snapped))
+    if(!is_exact(m_volume, constraints, snapped))
       return Refusal(Outcome::INTERNAL_ERROR,
                      "the result failed its exact verification and was discarded; please report "
                      "this");
-    fill_in_changes(sectors, m_volume.coordinates, snapped, m_report);
+    fill_in_changes(structure.sectors, m_volume.coordinates, snapped, m_report);
     m_timer.finish("verification");
     m_report.status = Outcome::SNAPPED;
     return std::nullopt;
@@ -143,12 +143,12 @@ private:
       transitions.number_decided_by_surroundings;
   }
 
-  void fill_in(const Volume_sectors& sectors, const Volume_places& places)
+  void fill_in(const Volume_structure& structure)
   {
-    m_report.run.number_of_sectors = sectors.number_of_sectors();
-    m_report.run.number_of_nodes = places.places.size();
-    m_report.run.number_of_cut_branches = sectors.sheet_element.size();
-    m_report.run.number_of_align_branches = sectors.number_of_levels;
+    m_report.run.number_of_sectors = structure.sectors.number_of_sectors();
+    m_report.run.number_of_nodes = structure.places.places.size();
+    m_report.run.number_of_cut_branches = structure.sectors.sheet_element.size();
+    m_report.run.number_of_align_branches = structure.sectors.number_of_levels;
   }
 
   Refusal not_seamless(const Volume_transitions& transitions) const
@@ -170,10 +170,10 @@ private:
               term(", or, for facets of the boundary, pass align_boundary(false)"), {}};
   }
 
-  Largest_change repair(const Volume_charts& charts, const Volume_members& members,
-                        const Place_solver& solver, std::vector<Uvw>& snapped)
+  Largest_change repair(const Volume_structure& structure, const Place_solver& solver,
+                        std::vector<Uvw>& snapped)
   {
-    Volume_repair repair(m_volume, charts, members, solver, snapped);
+    Volume_repair repair(m_volume, structure, solver, snapped);
     std::vector<std::size_t> lost = repair.lost_cells();
     m_report.run.number_of_lost_faces = lost.size();
     Largest_change change = largest_change(snapped);
@@ -230,11 +230,10 @@ private:
   }
 
   // Per coordinate of a corner, whether a constraint on it does not hold; empty if all hold.
-  std::vector<char> inexact_coordinates(const Volume_transitions& transitions,
-                                        const Volume_alignment& alignment) const
+  std::vector<char> inexact_coordinates(const Volume_constraints& constraints) const
   {
     std::vector<char> result;
-    for_each_inexact_coordinate(m_volume, transitions, alignment, m_volume.coordinates,
+    for_each_inexact_coordinate(m_volume, constraints, m_volume.coordinates,
                                 [&](const Corner_index corner, const std::size_t c) {
       result.resize(3 * m_volume.vertices.size());
       result[3 * std::size_t(corner) + c] = 1;
@@ -244,28 +243,27 @@ private:
 
   // Whether a column is inexact, per coordinate of a slot.
   static std::vector<char> inexact_columns(const std::vector<char>& is_inexact,
-                                           const Volume_charts& charts,
-                                           const Volume_members& members, const std::size_t size)
+                                           const Volume_structure& structure)
   {
-    std::vector<char> result(size, 0);
+    std::vector<char> result(3 * structure.places.number_of_slots, 0);
     for(std::size_t j = 0; j < is_inexact.size(); ++j)
       if(is_inexact[j] != 0)
-        result[members.column(Corner_index(j / 3), charts.column(j / 3, j % 3))] = 1;
+        result[structure.members.column(Corner_index(j / 3),
+                                        structure.charts.column(j / 3, j % 3))] = 1;
     return result;
   }
 
   // If charts have moved relative to each other, all of their coordinates are on a grid.
-  static void spread_over_joined_charts(const Volume_charts& charts, const Volume_sectors& sectors,
-                                        const Volume_members& members,
+  static void spread_over_joined_charts(const Volume_structure& structure,
                                         std::vector<char>& is_inexact)
   {
-    std::vector<char> is_root_inexact(charts.roots.size(), 0);
+    std::vector<char> is_root_inexact(structure.charts.roots.size(), 0);
     for(int pass = 0; pass < 2; ++pass) // the last sector may be the first that is inexact
-      for(std::size_t s = 0; s < sectors.corners.size(); ++s) {
-        const Corner_index corner = sectors.corners[s].front();
-        char& of_root = is_root_inexact[charts.root(corner)];
+      for(std::size_t s = 0; s < structure.sectors.corners.size(); ++s) {
+        const Corner_index corner = structure.sectors.corners[s].front();
+        char& of_root = is_root_inexact[structure.charts.root(corner)];
         for(std::size_t c = 0; c < 3; ++c) {
-          char& of_column = is_inexact[members.column(corner, c)];
+          char& of_column = is_inexact[structure.members.column(corner, c)];
           if(of_column != 0)
             of_root = 1;
           of_column = of_root;

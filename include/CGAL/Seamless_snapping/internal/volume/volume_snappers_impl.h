@@ -104,14 +104,17 @@ private:
     if(m_options.rounds)
       if(const auto refusal = add_grid_edges(m_volume))
         return refusal;
-    const Volume_structure structure(m_volume);
+    const Volume_constraints constraints = read_constraints(m_volume);
+    const Volume_structure structure(Sector_builder(m_volume, constraints).build(),
+                                     Volume_charts(m_volume.number_of_cells()));
     std::vector<Uvw> u = m_volume.coordinates;
     if(m_options.rounds)
       if(const auto refusal =
-           Volume_rounder(m_volume, structure, m_options.tolerance * m_volume.extent,
-                          m_options.rounding_tolerance, m_format, m_report, m_timer).run(u))
+           Volume_rounder(m_volume, constraints, structure,
+                          m_options.tolerance * m_volume.extent, m_options.rounding_tolerance,
+                          m_format, m_report, m_timer).run(u))
         return refusal;
-    if(const auto refusal = repair(structure, input, u))
+    if(const auto refusal = repair(constraints, structure, input, u))
       return refusal;
     look_for_levels(structure, u);
     m_volume.coordinates.swap(u);
@@ -119,7 +122,8 @@ private:
   }
 
   // After roundings, near by at least: their displacement may have made flips.
-  std::optional<Refusal> repair(const Volume_structure& structure, const std::vector<Uvw>& input,
+  std::optional<Refusal> repair(const Volume_constraints& constraints,
+                                const Volume_structure& structure, const std::vector<Uvw>& input,
                                 std::vector<Uvw>& u)
   {
     constexpr std::size_t reach_near_by = 2;
@@ -130,9 +134,8 @@ private:
       passes += untangler.run(m_options.number_of_untangling_iterations - passes,
                               (std::numeric_limits<std::size_t>::max)(), true);
     m_timer.finish("orientation");
-    if(!is_exact(m_volume, structure.transitions, structure.alignment, u) ||
-       (m_options.rounds &&
-        !is_on_integers(m_volume, structure.transitions, structure.alignment, u)))
+    if(m_options.rounds ? !is_on_integers(m_volume, constraints, u)
+                        : !is_exact(m_volume, constraints, u))
       return Refusal(Outcome::INTERNAL_ERROR,
                      "the repaired map failed its exact verification and was discarded; please "
                      "report this");
@@ -284,11 +287,10 @@ CGAL_SEAMLESS_SNAPPING_INLINE_FUNCTION
 Volume_integer_grid_measure measure_integer_grid(const Flat_volume& volume)
 {
   Volume_integer_grid_measure result;
-  const Volume_transitions transitions = Facet_transition_reader(volume).read();
-  const Volume_alignment alignment = Facet_alignment_reader(volume, transitions).read();
-  result.is_exactly_seamless = is_exact(volume, transitions, alignment, volume.coordinates);
-  measure_distances(volume, transitions, alignment, volume.coordinates, result);
-  measure_singular_edges(volume, transitions, result);
+  const Volume_constraints constraints = read_constraints(volume);
+  result.is_exactly_seamless = is_exact(volume, constraints, volume.coordinates);
+  measure_distances(volume, constraints, volume.coordinates, result);
+  measure_singular_edges(volume, constraints.transitions, result);
   measure_orientations(volume, result);
   return result;
 }
