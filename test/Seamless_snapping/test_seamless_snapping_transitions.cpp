@@ -1,6 +1,6 @@
 // Transitions and the two sides of an edge, against rational numbers that are near by or equal.
 
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Side_vectors.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
 
 #include "checking.h"

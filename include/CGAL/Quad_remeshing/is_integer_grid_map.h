@@ -25,7 +25,7 @@
 #include <CGAL/Quad_remeshing/internal/cells/Surface_parts.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
 #include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Side_vectors.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/is_seamless.h>
 

@@ -27,7 +27,7 @@
 #include <CGAL/Seamless_snapping/internal/mesh/given_on_mesh.h>
 #include <CGAL/Seamless_snapping/internal/mesh/read_cut_complex.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Side_vectors.h>
 #include <CGAL/Seamless_snapping/internal/transitions/chosen_options.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 

@@ -20,7 +20,7 @@
 
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Seamless_snapping/internal/complex/Cut_complex.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Side_vectors.h>
 
 #include <CGAL/Exact_rational.h>
 

@@ -20,7 +20,7 @@
 // meet at which vertex.
 
 #include <CGAL/Seamless_snapping/internal/complex/trace_branches.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Side_vectors.h>
 
 #include <algorithm>
 #include <cmath>

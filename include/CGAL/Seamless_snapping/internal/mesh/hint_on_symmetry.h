@@ -22,7 +22,7 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/compiled_once.h>
 #include <CGAL/Seamless_snapping/internal/packages_below.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Side_vectors.h>
 
 #include <vector>
 

@@ -24,8 +24,8 @@
 #include <CGAL/Seamless_snapping/internal/mesh/estimate_seams.h>
 #include <CGAL/Seamless_snapping/internal/mesh/hint_on_symmetry.h>
 #include <CGAL/Seamless_snapping/internal/mesh/uv_survey.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
 #include <CGAL/Seamless_snapping/internal/transitions/Rotation_group.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Side_vectors.h>
 
 #include <algorithm>
 #include <cstddef>

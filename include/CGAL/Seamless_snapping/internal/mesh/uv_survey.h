@@ -22,7 +22,7 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Mismatched_edges.h>
 #include <CGAL/Seamless_snapping/internal/mesh/Uv_surface.h>
-#include <CGAL/Seamless_snapping/internal/transitions/Edge_vectors.h>
+#include <CGAL/Seamless_snapping/internal/transitions/Side_vectors.h>
 
 #include <CGAL/Bbox_2.h>
 

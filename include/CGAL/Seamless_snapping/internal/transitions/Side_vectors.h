@@ -10,8 +10,8 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_EDGE_VECTORS_H
-#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_EDGE_VECTORS_H
+#ifndef CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_SIDE_VECTORS_H
+#define CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_SIDE_VECTORS_H
 
 #include <CGAL/license/Seamless_snapping.h>
 
@@ -245,4 +245,4 @@ bool satisfies_some_transition(const Edge_sides& s, const int n)
 } // namespace Seamless_snapping
 } // namespace CGAL
 
-#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_EDGE_VECTORS_H
+#endif // CGAL_SEAMLESS_SNAPPING_INTERNAL_TRANSITIONS_SIDE_VECTORS_H
