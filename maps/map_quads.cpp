@@ -46,8 +46,8 @@ private:
   static bool is_good(const Map_quads& result)
   { return result.report && result.report.number_of_inverted_quads == 0; }
 
-  // Repairs of flips can leave cones no space for their quads: if the integers of the map hold these
-  // cones where they are. A quantization of about as many quads moves them.
+  // Repairs of flips can leave cones no space for their quads, because the integers of the map hold
+  // these cones where they are. A quantization of about as many quads moves them.
   void quantize_repaired(Map_quads& result)
   {
     const auto [area, exponent] = area_in_domain(m_mesh, m_uv_map, true);
