@@ -24,8 +24,7 @@ class Map_quad_maker
 public:
   Map_quad_maker(const Map_quad_options& options, Mesh& mesh, const Uv_map uv_map,
                  const Edge_bool_map is_feature)
-    : m_options(options), m_number(options.number), m_mesh(mesh), m_uv_map(uv_map),
-      m_is_feature(is_feature)
+    : m_options(options), m_mesh(mesh), m_uv_map(uv_map), m_is_feature(is_feature)
   {
     for(const Halfedge h : mesh.halfedges())
       m_input.push_back(uv_map[h]);
@@ -33,7 +32,7 @@ public:
 
   Map_quads run()
   {
-    if(m_number > 0)
+    if(m_options.number > 0)
       return make_number_of_quads();
     Map_quads result = extract_rounded(m_options.rounding.value_or(0.01));
     if(m_options.repair_flips && result.repaired.run.number_of_repaired_flips > 0 &&
@@ -51,14 +50,14 @@ private:
   void quantize_repaired(Map_quads& result)
   {
     const auto [area, exponent] = area_in_domain(m_mesh, m_uv_map, true);
-    m_number = std::round(std::ldexp(area, 2 * exponent));
+    const double number = std::round(std::ldexp(area, 2 * exponent));
     restore();
     Map_quads other;
     const std::string why = ", because repairs of flipped faces leave " +
       (result.report ? counted_quads(result.report.number_of_inverted_quads) + " inverted in the map"
                      : "the map no mesh of quads");
-    if(m_number >= 1 && has_aligned_border())
-      if(const QR::Quantization quantization = quantize(other))
+    if(number >= 1 && has_aligned_border())
+      if(const QR::Quantization quantization = quantize(number, other))
         extract_quantized(quantization, other, why);
     if(is_good(other))
       result = std::move(other);
@@ -70,14 +69,14 @@ private:
     Map_quads near_by = extract_near_by();
     const double number = static_cast<double>(near_by.report.number_of_faces);
     const bool is_near =
-      near_by.report && std::abs(number / m_number - 1) <= tolerance;
+      near_by.report && std::abs(number / m_options.number - 1) <= tolerance;
     const bool is_aligned = has_aligned_border();
     Map_quads result;
     QR::Quantization quantization;
     if(is_aligned)
-      quantization = quantize(result);
+      quantization = quantize(m_options.number, result);
     const double least = static_cast<double>(quantization.number_of_quads);
-    const bool is_chosen = is_near && !(quantization && least > (1 + tolerance) * m_number);
+    const bool is_chosen = is_near && !(quantization && least > (1 + tolerance) * m_options.number);
     const std::size_t number_inverted = near_by.report.number_of_inverted_quads;
     if(quantization && !(is_chosen && number_inverted == 0))
       extract_quantized(quantization, result);
@@ -102,7 +101,7 @@ private:
       return result;
     restore();
     Map_quads last;
-    if(const QR::Quantization other = quantize(last)) {
+    if(const QR::Quantization other = quantize(m_options.number, last)) {
       extract_quantized(other, last);
       return last;
     }
@@ -142,11 +141,11 @@ private:
   // seams are, whose refusal users are to see.
   double scale() const
   {
-    if(m_number == 0)
+    if(m_options.number == 0)
       return m_options.grid_scale;
     const auto [area, exponent] = area_in_domain(m_mesh, m_uv_map, m_options.allow_holes);
     if(area > 0)
-      return std::ldexp(std::sqrt(m_number / area), -exponent);
+      return std::ldexp(std::sqrt(m_options.number / area), -exponent);
     QR::Snapping_report report;
     report.status = QR::Outcome::NOT_POSITIVE;
     report.message =
@@ -191,7 +190,7 @@ private:
   }
 
   // With the border aligned if it is so nearly. Flips are repaired near by without being asked for.
-  QR::Quantization quantize(Map_quads& result)
+  QR::Quantization quantize(const double number, Map_quads& result)
   {
     const Edge_bool_map is_aligned = m_options.alignment(true);
     m_options.tell("quantizing");
@@ -203,7 +202,7 @@ private:
       return QR::quantize(m_mesh, m_uv_map,
                           QR::parameters::edge_is_constrained_map(m_is_feature)
                             .needs_face_graph(!m_options.soup)
-                            .target_number_of_quads(static_cast<std::size_t>(m_number)));
+                            .target_number_of_quads(static_cast<std::size_t>(number)));
     };
     const QR::Quantization quantization = snap_and_quantize(flip_repair());
     if(quantization.nonpositive_faces.empty() || m_options.repair_flips)
@@ -278,7 +277,6 @@ private:
   }
 
   const Map_quad_options& m_options;
-  double m_number; // of quads; 0 for the cells of the map as it is
   Mesh& m_mesh;
   Uv_map m_uv_map;
   const Edge_bool_map m_is_feature;
