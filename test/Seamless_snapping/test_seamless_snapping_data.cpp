@@ -4,6 +4,7 @@
 #include "surface_checks.h"
 
 #include "Height_field_surface.h"
+#include "orientation_checks.h"
 #include "test_data.h"
 
 #include <CGAL/Seamless_snapping/IO/OBJ.h>
@@ -22,29 +23,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using UV_map = Mesh::Property_map<Mesh::Halfedge_index, Kernel::Point_2>;
 using Feature_map = Mesh::Property_map<Mesh::Edge_index, bool>;
 
-// The orientations of all faces: exact, while the package asks the predicates of a kernel.
-std::vector<CGAL::Orientation> orientations(const Mesh& mesh, const UV_map& uv)
-{
-  std::vector<CGAL::Orientation> result;
-  for(const auto f : mesh.faces())
-    result.push_back(CGAL::Orientation(exact_check::face_orientation(f, mesh, uv)));
-  return result;
-}
-
-std::size_t number_of_flips(const std::vector<CGAL::Orientation>& orientations)
-{
-  return std::size_t(std::count(orientations.begin(), orientations.end(), CGAL::NEGATIVE));
-}
-
-// Faces that were positive and are no more.
-std::size_t number_of_losses(const std::vector<CGAL::Orientation>& before,
-                             const std::vector<CGAL::Orientation>& after)
-{
-  std::size_t result = 0;
-  for(std::size_t i = 0; i < before.size(); ++i)
-    result += before[i] == CGAL::POSITIVE && after[i] != CGAL::POSITIVE ? 1 : 0;
-  return result;
-}
+using orientation_checks::not_positive;
+using orientation_checks::signs;
 
 // --- files ---------------------------------------------------------------------------------------
 
@@ -103,10 +83,11 @@ void test_file(const std::filesystem::path& path, const Row& row)
   const std::string name = path.filename().string();
   File file(path);
   const auto before = exact_check::check_edges(file.mesh, file.uv);
-  const auto orientations_before = orientations(file.mesh, file.uv);
+  const auto signs_before = signs(file.mesh, file.uv);
   CHECK_IN(name, file.mesh.number_of_faces() == row.faces);
   CHECK_IN(name, before.inexact_edges == row.inexact);
-  CHECK_IN(name, number_of_flips(orientations_before) == row.flips);
+  const auto flips = std::count(signs_before.begin(), signs_before.end(), -1);
+  CHECK_IN(name, std::size_t(flips) == row.flips);
 
   CGAL::Timer timer;
   timer.start();
@@ -124,8 +105,8 @@ void test_file(const std::filesystem::path& path, const Row& row)
   const double violation = report.violation_before / report.extent;
   CHECK_IN(name, std::abs(violation - row.violation) <= 0.05 * row.violation);
 
-  const auto orientations_after = orientations(file.mesh, file.uv);
-  const std::size_t losses = number_of_losses(orientations_before, orientations_after);
+  const std::size_t losses =
+    not_positive(signs_before, signs(file.mesh, file.uv), true).size();
   CHECK_IN(name, losses == 0);
   const Bits after = all_bits(file.mesh, file.uv);
   CHECK_IN(name, SS::snap_to_seamless(file.mesh, file.uv).status
@@ -160,7 +141,7 @@ void test_alignment(const std::filesystem::path& path)
                        && (std::min)(std::abs(d.x()), std::abs(d.y())) <= tolerance;
     aligned += file.features[e] ? 1 : 0;
   }
-  const auto orientations_before = orientations(file.mesh, file.uv);
+  const auto signs_before = signs(file.mesh, file.uv);
   const auto np = SS::parameters::edge_is_constrained_map(file.features);
   const SS::Snapping_report report = SS::snap_to_seamless(file.mesh, file.uv, np);
   CHECK_IN(name + ": " + report.message, bool(report));
@@ -168,7 +149,7 @@ void test_alignment(const std::filesystem::path& path)
                                                is_aligned(file.mesh, file.features, false));
   CHECK_IN(name, result.is_exact());
   CHECK_IN(name, result.aligned_edges == aligned);
-  CHECK_IN(name, number_of_losses(orientations_before, orientations(file.mesh, file.uv)) == 0);
+  CHECK_IN(name, not_positive(signs_before, signs(file.mesh, file.uv), true).empty());
   CHECK_IN(name, SS::is_seamless(file.mesh, file.uv, np));
   std::cout << std::left << std::setw(50) << name << std::right << std::setw(6) << aligned
             << " edges, violation " << report.violation_before / report.extent << ", change "
@@ -244,14 +225,14 @@ void test_height_field(unsigned int seed, double relative)
   const double noise = relative * truth.extent;
   uv_noise::perturb(mesh, uv, noise, seed,
                     seed % 2 == 0 ? uv_noise::Noise::per_sector : uv_noise::Noise::per_corner);
-  const auto before = orientations(mesh, uv);
+  const auto before = signs(mesh, uv);
   check_transitions(mesh, truth, SS::seam_transitions(mesh, uv), context);
   const auto snapped = snap_and_check(named, context);
   const auto rotation = [&](auto h) { return truth.rotation(h); };
   CHECK_IN(context, exact_check::check_edges(mesh, uv, exact_check::No_edge_aligned(),
                                              rotation).is_exact());
   CHECK_IN(context, edges_that_gape(mesh, uv, truth) == 0);
-  CHECK_IN(context, number_of_losses(before, orientations(mesh, uv)) == 0);
+  CHECK_IN(context, not_positive(before, signs(mesh, uv), true).empty());
   CHECK_IN(context, snapped.report.largest_change <= 8 * noise);
   CHECK_IN(context, snapped.report.linear_solver.number_of_non_unit_pivots == 0);
   std::cout << context << ": " << mesh.number_of_faces() << " faces, "
