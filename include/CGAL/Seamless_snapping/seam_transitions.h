@@ -182,8 +182,6 @@ smallest residuals.
 -# Any other edge takes the rotation of its branch, or the rotation that fits best. If corners have
    noise of their own, it takes the rotation that leaves no cone at an end whose other edges are
    decided. If no end decides, the edge is no cut if its gap is within the noise.
--# If two opposite cones exist only because of such choices, the function changes the rotations of
-   the undecided edges between them, and both cones vanish.
 -# A chain of edges without rotation is no cut if the mean of its gaps is not much larger than the
    largest residual in its connected component of the seams. The two sides of such an edge are
    <em>merged</em>: they count as equal.

@@ -26,7 +26,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <vector>
 
@@ -38,8 +37,7 @@ namespace internal {
 // differ along most edges. An edge whose length lets only one rotation explain it up to the noise
 // is decided by itself. Others take the rotation of the branch they lie on, or what fits best. Only
 // where corners have noise of their own, they take the rotation that leaves no cone at one of their
-// ends, or are no cut if their gap is noise too; cones that such choices have made cancel each
-// other along edges that are not decided by themselves.
+// ends, or are no cut if their gap is noise too.
 template <typename Group>
 class Seam_estimator
 {
@@ -91,9 +89,6 @@ private:
         set_decided(i); // with the least residual
         complete_vertices();
       }
-    for(std::size_t v = 0; v < m_incidences.size(); ++v)
-      if(cone(Vertex_index(v)) != Group::identity())
-        cancel_cone(Vertex_index(v));
   }
 
   // --- noise ---
@@ -184,12 +179,9 @@ private:
 
   void decide(const std::size_t i, const Element g)
   {
-    turn(i, g);
+    set_rotation(m_edges[i], Side_vectors<Group>(m_edges[i].sides), g, m_options.scale);
     set_decided(i);
   }
-
-  void turn(const std::size_t i, const Element g)
-  { set_rotation(m_edges[i], Side_vectors<Group>(m_edges[i].sides), g, m_options.scale); }
 
   void set_decided(const std::size_t i)
   {
@@ -253,60 +245,12 @@ private:
     return i.points_to_vertex ? Group::inverse(others) : others;
   }
 
-  // \return the identity on the border
-  Element cone(const Vertex_index v)
-  {
-    return is_border(v) ? Group::identity() : holonomy<Group>(m_incidences, m_edges, v);
-  }
-
   bool is_border(const Vertex_index v)
   {
     char& known = m_is_border[std::size_t(v)];
     if(known == UNKNOWN)
       known = m_incidences[v].size() > 0 && m_star(m_incidences[v].front()).has_border ? YES : NO;
     return known == YES;
-  }
-
-  // --- pairs of cones ---
-
-  // Turns the edges of the shortest way to a cone that is inverse to this one, or to the border,
-  // where all of them leave the choice. Then both are gone.
-  void cancel_cone(const Vertex_index start)
-  {
-    constexpr std::size_t largest_search = 10000; // vertices
-    const Element index = cone(start);
-    std::vector<Vertex_index> reached(1, start);
-    std::vector<std::int32_t> arrival(1, -1); // place in `reached`
-    std::vector<Incidence> by(1);
-    std::vector<char>& is_reached = m_is_reached;
-    is_reached.resize(m_incidences.size(), false);
-    is_reached[std::size_t(start)] = true;
-    std::size_t found = 0;
-    for(std::size_t k = 0; k < reached.size() && found == 0 && k < largest_search; ++k)
-      for(const Incidence& i : m_incidences[reached[k]]) {
-        const std::size_t e = std::size_t(i.edge);
-        const Vertex_index next = i.points_to_vertex ? m_ends[e].source : m_ends[e].target;
-        if(found != 0 || !m_is_soft[e] || is_reached[std::size_t(next)] ||
-           !is_admissible(e, turned(i, index)))
-          continue;
-        is_reached[std::size_t(next)] = true;
-        reached.push_back(next);
-        arrival.push_back(std::int32_t(k));
-        by.push_back(i);
-        if(!is_border(next) && cone(next) == Group::inverse(index))
-          found = reached.size() - 1;
-      }
-    for(const Vertex_index v : reached)
-      is_reached[std::size_t(v)] = false;
-    for(std::size_t k = found; k != 0; k = std::size_t(arrival[k]))
-      turn(std::size_t(by[k].edge), turned(by[k], index));
-  }
-
-  // The rotation of an edge that takes a cone from the vertex of the incidence to its other end.
-  Element turned(const Incidence& i, const Element index) const
-  {
-    const Element g = m_edges[std::size_t(i.edge)].rotation;
-    return Group::compose(i.points_to_vertex ? Group::inverse(index) : index, g);
   }
 
   const Seam_options& m_options;
@@ -318,7 +262,7 @@ private:
   std::vector<char> m_is_decided, m_is_soft; // per edge: now, and not by itself
   std::vector<Element> m_best; // per edge: what fits it by itself
   std::vector<int> m_number_of_undecided; // per vertex: edges
-  std::vector<char> m_is_border, m_is_reached; // per vertex
+  std::vector<char> m_is_border; // per vertex
   std::deque<Vertex_index> m_queue;
   std::vector<double> m_gaps; // scratch
   bool m_has_corner_noise = false;
