@@ -68,7 +68,8 @@ public:
     const std::vector<Uvw> before = m_coordinates;
     m_may_lose = may_lose;
     std::size_t passes = 0, reach = 1, idle = 0;
-    std::vector<std::size_t> bad = nonpositive_cells(m_coordinates);
+    const std::vector<std::size_t> bad_before = nonpositive_cells(m_coordinates);
+    std::vector<std::size_t> bad = bad_before;
     std::size_t least = bad.size();
     while(!bad.empty() && passes < largest_number_of_passes) {
       ++passes;
@@ -86,8 +87,8 @@ public:
         break;
       ++reach;
     }
-    if(may_lose)
-      take_back_losses(before);
+    if(!std::includes(bad_before.begin(), bad_before.end(), bad.begin(), bad.end()))
+      m_coordinates = before;
     return passes;
   }
 
@@ -105,42 +106,6 @@ private:
       least = (std::min)(least, (edges(uvw_of_cell(m_coordinates, c)) * rest_of(c).inverse())
                                   .determinant());
     m_epsilon = std::sqrt(1e-4 + 0.04 * least * least);
-  }
-
-  // Moves that share a cell are one, and are kept if no cell has lost its orientation by them and
-  // some got it.
-  void take_back_losses(const std::vector<Uvw>& before)
-  {
-    Signed_union_find moves(m_members.size());
-    std::vector<std::array<std::size_t, 2> > counts(m_members.size()); // gained and lost, by root
-    const auto for_each_moved = [&](const auto& f) {
-      for(std::size_t c = 0; c < m_volume.number_of_cells(); ++c) {
-        std::size_t first = m_members.size();
-        for(std::size_t i = 4 * c; i < 4 * c + 4; ++i)
-          if(before[i] != m_coordinates[i])
-            f(c, m_members.member_of_corner(Corner_index(i)), first);
-      }
-    };
-    for_each_moved([&](std::size_t, const Member_index m, std::size_t& first) {
-      if(first < m_members.size())
-        moves.unite(first, m);
-      first = m;
-    });
-    for_each_moved([&](const std::size_t c, const Member_index m, std::size_t& first) {
-      if(first == m_members.size()) {
-        const bool was_good = orientation(uvw_of_cell(before, c)) == CGAL::POSITIVE;
-        const bool is_now = is_good(c);
-        counts[moves.root(m)][0] += std::size_t(is_now && !was_good);
-        counts[moves.root(m)][1] += std::size_t(was_good && !is_now);
-      }
-      first = m;
-    });
-    for(std::size_t i = 0; i < before.size(); ++i)
-      if(before[i] != m_coordinates[i]) {
-        const auto& count = counts[moves.root(m_members.member_of_corner(Corner_index(i)))];
-        if(count[1] > 0 || count[0] == 0)
-          m_coordinates[i] = before[i];
-      }
   }
 
   // In ascending order.
