@@ -342,18 +342,11 @@ private:
       nearest = std::move(other);
       found = true;
     };
-    const std::size_t n = m_system.number_of_columns();
     if(!is_whole() && m_may_be_whole && !is_good()) {
       if(m_whole == nullptr)
         m_whole = whole_system();
       if(m_whole != nullptr)
         try_again(m_whole.get(), solution);
-    }
-    // Values near the largest of a grid may have a solution nearby that is smaller.
-    for(int bits = 1; bits <= 3 && m_may_be_finer && n <= 16 && !is_good(); ++bits) {
-      Component_solution finer(solution);
-      change_grid((std::max)(solution.grid.exponent() - bits, m_format.minimum_exponent), finer);
-      try_again(is_whole() ? m_core.get() : m_whole.get(), std::move(finer));
     }
     solution = std::move(nearest);
     return found;

@@ -25,8 +25,7 @@
 // Columns that a single row holds, with coefficients unlike +-1, would pile up in ever longer rows:
 // each cone of an odd number of quarter turns leaves one, with coefficient 2. A row needs but one
 // of them. Several are replaced by an auxiliary unknown, which is a sum of them: a unimodular
-// change of variables. Where some are left in a row without a unit pivot, and their coefficients
-// have no common factor, such as 2 and 3 beside cones of 120 degrees, further ones make a pivot.
+// change of variables.
 
 #include <CGAL/Linear_snapping/internal/linear/Integer_system.h>
 #include <CGAL/Linear_snapping/internal/linear/elimination_queues.h>
@@ -36,7 +35,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <iterator>
 #include <tuple>
 #include <type_traits>
@@ -81,7 +79,6 @@ public:
       process(row);
       Progress::tell_each_second([&] { return counted(m_pivots.size(), "row") + " eliminated"; });
     }
-    make_units_in_core();
   }
 
   // Call once.
@@ -178,8 +175,6 @@ private:
       return;
     }
     const Entry<Integer>* pivot = rarest_unit(row(i));
-    if(pivot == nullptr && m_number_of_original_columns > few_columns && make_unit(i))
-      pivot = rarest_unit(row(i));
     if(pivot == nullptr) {
       m_states[std::size_t(i)] = CORE; // until another pivot changes it
       return;
@@ -376,128 +371,6 @@ private:
     add_auxiliary_unknown(std::move(sum), size, std::move(implied)); // invalidates `row`
   }
 
-  // Systems of no more columns are left to the integer solver, which is fast then, and closer.
-  static constexpr std::size_t few_columns = 200;
-
-  // Columns that no other row holds become one with coefficient 1, if their coefficients have no
-  // common factor: two at a time. Returns false if they have, or values might not fit.
-  bool make_unit(const Row_index i)
-  {
-    std::size_t first = 0, second = 0;
-    for(;;) {
-      first_single(row(i)); // fills m_singles
-      if(!find_pair_to_combine(first, second))
-        return false;
-      if(combine(i, first, second, {i}))
-        return true;
-    }
-  }
-
-  // Makes unit pivots from all columns of rows of the core, if these are few. Else the whole core
-  // of a large system would go to the integer solver.
-  void make_units_in_core()
-  {
-    constexpr std::size_t small_system = 2000, small_core = 64; // columns, rows
-    if(m_number_of_original_columns <= small_system)
-      return;
-    std::vector<Row_index> core;
-    for(std::size_t i = 0; i < m_rows.size() && core.size() <= small_core; ++i)
-      if(m_states[i] == CORE)
-        core.push_back(Row_index(i));
-    for(std::size_t k = 0; k < core.size() && core.size() <= small_core; ++k)
-      while(m_states[std::size_t(core[k])] == CORE && combine_columns(core[k], core)) {
-        m_states[std::size_t(core[k])] = WAITING;
-        process(core[k]);
-        for(Row_index i; m_queue.pop(i);)
-          process(i);
-      }
-  }
-
-  static constexpr std::size_t most_to_choose_from = 64; // smallest coefficients
-
-  // Returns whether something was combined.
-  bool combine_columns(const Row_index i, const std::vector<Row_index>& core)
-  {
-    m_singles.clear();
-    for(std::size_t k = 0; k < row(i).size(); ++k)
-      m_singles.push_back(
-        {Integer(absolute_value(row(i)[k].coefficient)), sum_size(row(i)[k].column), k});
-    std::sort(m_singles.begin(), m_singles.end());
-    m_singles.erase(std::unique(m_singles.begin(), m_singles.end(),
-                                [](const auto& a, const auto& b) {
-                                  return std::get<0>(a) == std::get<0>(b);
-                                }), m_singles.end());
-    if(m_singles.size() > most_to_choose_from)
-      m_singles.resize(most_to_choose_from);
-    std::size_t first = 0, second = 0;
-    if(!find_pair_to_combine(first, second))
-      return false;
-    combine(i, first, second, core);
-    return true;
-  }
-
-  // c u + d v becomes g w, where g is the greatest common divisor, and w and z = p u + q v are new,
-  // with c q - d p = g. Then u = q w - d/g z and v = c/g z - p w are implied. Returns whether
-  // g = 1.
-  // \param rows all rows that hold u or v, except for rows with a pivot
-  bool combine(const Row_index i, const std::size_t first, const std::size_t second,
-               const std::vector<Row_index>& rows)
-  {
-    const Entry<Integer> u = row(i)[first], v = row(i)[second];
-    const Integer g = greatest_common_divisor(u.coefficient, v.coefficient);
-    const std::int64_t c = to_64_bits(exact_quotient(u.coefficient, g));
-    const std::int64_t d = to_64_bits(exact_quotient(v.coefficient, g));
-    std::int64_t p = 0; // the least that will do, up to the sign
-    while((1 + d * p) % c != 0)
-      p = p > 0 ? -p : 1 - p;
-    const std::int64_t q = (1 + d * p) / c;
-    const auto size = [&](const std::int64_t a, const std::int64_t b) {
-      return int(std::abs(a)) * sum_size(u.column) + int(std::abs(b)) * sum_size(v.column);
-    };
-    const int w_size = size(c, d), z_size = size(p, q);
-    const Column_index w = Column_index(number_of_columns()), z = w + 1;
-    m_columns.add_column();
-    m_columns.add_column();
-    for(const Row_index j : rows) {
-      const Integer a = take_entry(j, u.column), b = take_entry(j, v.column);
-      append_entry(j, w, a, Integer(q), b, Integer(-p));
-      append_entry(j, z, b, Integer(c), a, Integer(-d));
-    }
-    add_auxiliary_unknown({{u.column, c}, {v.column, d}}, w_size,
-                          {{u.column, Integer(1)}, {w, Integer(-q)}, {z, Integer(d)}});
-    add_auxiliary_unknown({{u.column, p}, {v.column, q}}, z_size,
-                          {{v.column, Integer(1)}, {w, Integer(p)}, {z, Integer(-c)}});
-    return is_unit(g);
-  }
-
-  // Removes an entry of a row, and returns its coefficient; 0 if there is none.
-  Integer take_entry(const Row_index i, const Column_index column)
-  {
-    Row& changed = m_rows[std::size_t(i)];
-    const Entry<Integer>* const found = find_entry(changed, column);
-    if(found == nullptr)
-      return Integer(0);
-    const Integer result = found->coefficient;
-    changed.erase(changed.begin() + (found - changed.data()));
-    m_columns.remove_one(column);
-    return result;
-  }
-
-  // Appends the coefficient a x + b y, unless it is 0.
-  void append_entry(const Row_index i, const Column_index column, const Integer& a,
-                    const Integer& x, const Integer& b, const Integer& y)
-  {
-    const Integer opposite = difference_with_product(Integer(0), a, x);
-    const Integer sum =
-      difference_with_product(difference_with_product(Integer(0), b, Integer(-y)),
-                              opposite, Integer(1));
-    if(sum == 0)
-      return;
-    note_size(sum);
-    m_rows[std::size_t(i)].push_back({column, sum});
-    m_columns.add(column, i);
-  }
-
   // \param implied the row of one of the unknowns that it replaces, which is the first
   void add_auxiliary_unknown(Entries<std::int64_t> sum, const int size, Row implied)
   {
@@ -507,32 +380,6 @@ private:
     m_rows.push_back(std::move(implied));
     m_right_hand_side.push_back(Integer(0));
     m_states.push_back(DONE);
-  }
-
-  // Finds the two of `m_singles` that leave the smallest greatest common divisor, less than both
-  // coefficients, if there is a way to 1.
-  bool find_pair_to_combine(std::size_t& first, std::size_t& second) const
-  {
-    Integer common(0);
-    for(const auto& single : m_singles)
-      common = greatest_common_divisor(common, std::get<0>(single));
-    if(!is_unit(common))
-      return false;
-    Integer best(0);
-    for(std::size_t l = 1; l < m_singles.size(); ++l)
-      for(std::size_t k = 0; k < l && best != 1; ++k) {
-        const auto& [a, size_of_a, i] = m_singles[k];
-        const auto& [b, size_of_b, j] = m_singles[l];
-        const Integer g = greatest_common_divisor(a, b);
-        if(g == a || (best != 0 && g >= best) ||
-           exact_quotient(a, g) > largest_sum || exact_quotient(b, g) > largest_sum ||
-           exact_quotient(a, g) * size_of_a + exact_quotient(b, g) * size_of_b > largest_sum)
-          continue;
-        best = g;
-        first = i;
-        second = j;
-      }
-    return best != 0;
   }
 
   // The first of at least two columns that no other row holds and that have the same coefficient up
