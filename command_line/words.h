@@ -10,14 +10,7 @@
 #include <string_view>
 
 // "1 face", "2 faces", "2 border vertices", "2 branches"
-inline std::string counted(const std::size_t n, std::string noun)
-{
-  if(n != 1 && noun.back() == 'x')
-    noun.replace(noun.size() - 2, 2, "ices");
-  else if(n != 1)
-    noun += noun.back() == 'h' ? "es" : "s";
-  return std::to_string(n) + " " + noun;
-}
+using CGAL::Linear_snapping::counted;
 
 // The verb after it.
 inline std::string is_or_are(const std::size_t n) { return n == 1 ? " is " : " are "; }

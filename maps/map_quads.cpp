@@ -16,9 +16,6 @@ namespace QR = CGAL::Quad_remeshing;
 
 namespace {
 
-std::string counted_quads(const std::size_t number)
-{ return std::to_string(number) + (number == 1 ? " quad" : " quads"); }
-
 class Map_quad_maker
 {
 public:
@@ -54,8 +51,9 @@ private:
     restore();
     Map_quads other;
     const std::string why = ", because repairs of flipped faces leave " +
-      (result.report ? counted_quads(result.report.number_of_inverted_quads) + " inverted in the map"
-                     : "the map no mesh of quads");
+      (result.report
+         ? QR::counted(result.report.number_of_inverted_quads, "quad") + " inverted in the map"
+         : "the map no mesh of quads");
     if(number >= 1 && has_aligned_border())
       if(const QR::Quantization quantization = quantize(number, other))
         extract_quantized(quantization, other, why);
@@ -253,8 +251,8 @@ private:
     if(has_steps)
       result.integers += ", and edges next to the border moved";
     if(number > 0)
-      result.integers += ", because " + counted_quads(number) + (number == 1 ? " was" : " were") +
-                         " inverted";
+      result.integers += ", because " + QR::counted(number, "quad") +
+                         (number == 1 ? " was" : " were") + " inverted";
   }
 
   // Makes the quads of the same quantization in a better shape.

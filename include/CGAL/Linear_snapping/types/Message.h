@@ -116,6 +116,18 @@ private:
   std::vector<Part> m_parts;
 };
 
+/// \cond SKIP_IN_MANUAL
+// "1 face", "2 faces", "2 boundary vertices", "2 branches", for messages
+inline std::string counted(const std::size_t n, std::string noun)
+{
+  if(n != 1 && noun.back() == 'x')
+    noun.replace(noun.size() - 2, 2, "ices");
+  else if(n != 1)
+    noun += noun.back() == 'h' ? "es" : "s";
+  return std::to_string(n) + " " + noun;
+}
+/// \endcond
+
 } // namespace Linear_snapping
 } // namespace CGAL
 

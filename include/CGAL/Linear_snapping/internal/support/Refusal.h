@@ -96,18 +96,6 @@ constexpr const char* scale_up = "scale the map up by grid_scale";
 constexpr const char* duplicate_vertices =
   "see CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices()";
 
-// "1 face", "2 faces", "2 boundary vertices", "2 branches"
-inline std::string counted(const std::size_t n, const std::string& noun)
-{
-  const auto ends_in = [&](const std::string& end) {
-    return noun.size() >= end.size() &&
-           noun.compare(noun.size() - end.size(), end.size(), end) == 0;
-  };
-  const std::string plural = ends_in("vertex") ? noun.substr(0, noun.size() - 2) + "ices"
-                                               : noun + (ends_in("ch") ? "es" : "s");
-  return std::to_string(n) + " " + (n == 1 ? noun : plural);
-}
-
 } // namespace internal
 } // namespace Linear_snapping
 } // namespace CGAL
