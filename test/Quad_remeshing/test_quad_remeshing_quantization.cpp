@@ -22,7 +22,6 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/collapse_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Upper_sides.h>
 #include <CGAL/Quad_remeshing/measure_quad_shapes.h>
@@ -2224,7 +2223,7 @@ void test_few_quads()
     sum += report.mean_scaled_jacobian;
   }
   std::cout << "about 50 quads: mean scaled Jacobian " << sum / double(files.size()) << std::endl;
-  CHECK(sum > 0.9555 * double(files.size()));
+  CHECK(sum > 0.955 * double(files.size()));
 }
 
 // Of the maps that are tried, the one whose quads are best is taken.
@@ -2485,7 +2484,7 @@ void test_hopeless_features()
   Mesh quads;
   const auto report = QR::quad_remesh(
     mesh, quads,
-    parameters::edge_is_constrained_map(is_feature).target_number_of_quads(60).visitor(visitor));
+    parameters::edge_is_constrained_map(is_feature).target_number_of_quads(70).visitor(visitor));
   std::cout << "spiral: " << report.number_of_quads << " quads, mean scaled Jacobian "
             << report.mean_scaled_jacobian << ", " << number_of_inverted_quads
             << " were inverted at features" << std::endl;
@@ -2566,7 +2565,7 @@ void test_attempt_without_features()
   Mesh quads;
   const auto is_kept = quads.add_property_map<Mesh::Edge_index, bool>("e:kept", false).first;
   QR::Remeshing_report report;
-  for(std::size_t wanted = 250; number_left_out == 0 && wanted <= 290; wanted += 5) {
+  for(std::size_t wanted = 340; number_left_out == 0 && wanted <= 400; wanted += 5) {
     quads.clear_without_removing_property_maps();
     report = QR::quad_remesh(
       mesh, quads,
@@ -2726,7 +2725,7 @@ Shaped shape(const Mesh& mesh, Mesh& quads)
   run_on_copy(mesh, quads, [&](const auto& surface, const auto& is_feature, const auto& lines,
                                auto& smoother) {
     result.distance_before = surface.unscaled(smoother.measure_distance());
-    QR::internal::Quad_shaper(quads, is_feature, surface.mesh(), lines, smoother).run(50);
+    QR::internal::Quad_shaper(quads, is_feature, surface.mesh(), lines, smoother).shape_all(50);
     result.distance = surface.unscaled(smoother.measure_distance());
     result.least_jacobian = smoother.shapes().least_scaled_jacobian;
   });
@@ -2766,12 +2765,13 @@ struct Flat_quads
   std::tuple<double, double, std::size_t> improve()
   {
     std::tuple<double, double, std::size_t> result;
-    run_on_copy(square, quads, [&](const auto&, const auto& is_feature, const auto& lines,
+    run_on_copy(square, quads, [&](const auto& surface, const auto& is_feature, const auto& lines,
                                    auto& smoother) {
-      QR::internal::Quad_improver improver(quads, is_feature, lines, smoother);
       std::get<0>(result) = smoother.shapes().least_scaled_jacobian;
-      improver.move_vertices();
-      std::get<2>(result) = improver.remove_vertices_of_two_edges();
+      QR::internal::Quad_shaper(quads, is_feature, surface.mesh(), lines, smoother)
+        .shape_thin_quads();
+      QR::internal::Quad_collapser collapser(quads, is_feature, smoother, false);
+      std::get<2>(result) = collapser.remove_vertices_of_two_edges();
       std::get<1>(result) = smoother.shapes().least_scaled_jacobian;
     });
     return result;

@@ -32,7 +32,6 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/collapse_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/even_out_border.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/improve_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/leave_out_small_parts.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
@@ -401,8 +400,22 @@ private:
           m_run.work.is_left() ? shaping_rounds * m_run.options.number_of_smoothing_rounds : 1);
     if(m_run.options.number_of_smoothing_rounds == 0 || is_hopeless(smoother))
       return false;
-    improve(lines, smoother);
+    Quad_shaper shaper(m_quads, m_is_feature, m_run.mesh(), lines, smoother);
+    int edits = 0;
+    do {
+      shaper.shape_thin_quads();
+    } while(edits++ < most_edits && edit(smoother));
     return true;
+  }
+
+  // Changes the quads at inverted or thin ones where moves of vertices alone don't help. Returns
+  // whether there was something to change.
+  bool edit(Quad_smoother& smoother)
+  {
+    Quad_collapser collapser(m_quads, m_is_feature, smoother, false);
+    return collapser.remove_vertices_of_two_edges() > 0 ||
+           (has_work(smoother) &&
+            (collapser.run() > 0 || Quad_divider(m_quads, m_is_feature, smoother).run() > 0));
   }
 
   // To mend so many quads takes long, and leaves a bad shape. There is work left for an attempt
@@ -431,29 +444,7 @@ private:
       smoother.unfold(is_held);
     smoother.smooth(m_run.options.number_of_smoothing_rounds, is_held);
     if(m_run.options.number_of_smoothing_rounds > 0)
-      Quad_shaper(m_quads, m_is_feature, m_run.mesh(), lines, smoother).run(most_rounds);
-  }
-
-  // Quads that are inverted or thin.
-  void improve(const Feature_lines& lines, Quad_smoother& smoother)
-  {
-    Quad_improver improver(m_quads, m_is_feature, lines, smoother);
-    improver.move_vertices();
-    if(improver.remove_vertices_of_two_edges() > 0)
-      improver.move_vertices();
-    if(!has_work(smoother))
-      return;
-    improver.move_vertices_of_flat_quads();
-    if(Quad_collapser(m_quads, m_is_feature, smoother, false).run() > 0) {
-      improver.move_vertices();
-      improver.move_vertices_of_flat_quads();
-    }
-    Quad_divider divider(m_quads, m_is_feature, smoother);
-    for(int i = 0; i < 3 && has_work(smoother) && divider.run() > 0; ++i) {
-      improver.move_vertices();
-      improver.move_vertices_of_flat_quads();
-    }
-    improver.remove_vertices_of_two_edges(); // whose quads may be flat by now
+      Quad_shaper(m_quads, m_is_feature, m_run.mesh(), lines, smoother).shape_all(most_rounds);
   }
 
   // Not where there is to be a mirror image: vertices on the plane have to stay there.
@@ -496,6 +487,7 @@ private:
 
   static constexpr std::size_t number_of_samples = 5000; // of the distance of a choice
   static constexpr std::size_t rounds_to_choose = 4; // for the rough shape of each choice
+  static constexpr int most_edits = 5; // rounds of collapsing and dividing quads
   static constexpr int most_mending_rounds = 4; // of moving vertices off features or surface
   static constexpr std::size_t shaping_rounds = 4; // for each of smoothing, at most
 

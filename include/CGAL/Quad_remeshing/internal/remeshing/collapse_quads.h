@@ -16,14 +16,17 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // Collapses quads that are inverted or upside down: two opposite vertices become one. Quads as thin
-// as a line are collapsed, too, if no place of their vertices helps.
+// as a line are collapsed, too, if no place of their vertices helps. Removes vertices of two edges,
+// whose quads no place on a flat surface can mend.
 
+#include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_star.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -41,12 +44,14 @@ namespace internal {
 class Quad_collapser
   : private Remeshing_types
 {
+  using Corners = Quad_star::Corners;
+
 public:
   // \param is_feature whether an edge is a feature or border
   Quad_collapser(Mesh& quads, const Feature_map& is_feature, Quad_smoother& smoother,
                  const bool has_single_precision)
     : m_quads(quads), m_is_feature(is_feature), m_smoother(smoother),
-      m_star(quads, is_feature, smoother, has_single_precision)
+      m_star(quads, smoother, has_single_precision)
   { }
 
   // Returns the number of quads that were taken out.
@@ -67,6 +72,32 @@ public:
           ++result;
           break;
         }
+    }
+    return result;
+  }
+
+  // Makes one quad of the two around a vertex of two edges, where one of them is inverted or thin,
+  // and that one is better or can be mended. Returns the number of vertices that were removed.
+  std::size_t remove_vertices_of_two_edges()
+  {
+    std::size_t result = 0;
+    std::vector<Vertex> queue;
+    for(const Vertex v : vertices(m_quads))
+      if(degree(v, m_quads) == 2)
+        queue.push_back(v);
+    while(!queue.empty()) {
+      const Vertex v = queue.back();
+      queue.pop_back();
+      if(!is_removable(v))
+        continue;
+      const Halfedge h = opposite(halfedge(v, m_quads), m_quads);
+      const Halfedge g = prev(h, m_quads); // to the vertex, from the other neighbor
+      for(const Vertex neighbor : {target(h, m_quads), source(g, m_quads)})
+        if(std::find(queue.begin(), queue.end(), neighbor) == queue.end())
+          queue.push_back(neighbor);
+      CGAL::Euler::join_vertex(h, m_quads);
+      CGAL::Euler::join_face(g, m_quads);
+      ++result;
     }
     return result;
   }
@@ -98,7 +129,8 @@ private:
     return number_of_common_neighbors == 2;
   }
 
-  bool is_fixed(const Vertex v) const { return m_star.number_of_lines(v) > 1; }
+  bool is_fixed(const Vertex v) const
+  { return lines_at_vertex(m_quads, m_is_feature, v).size() > 1; }
 
   // Moves both ends to the best of some places. Where another quad would be inverted there, they
   // stay where they were.
@@ -120,7 +152,7 @@ private:
     for(const Space_vector& place : places) {
       m_star.set_point(a, place);
       m_star.set_point(c, place);
-      if(const double now = m_star.badness(); now < least && m_star.is_mended()) {
+      if(const double now = m_star.energy(Corners::FLAT); now < least && m_star.is_mended()) {
         least = now;
         best = m_smoother.point(a);
       }
@@ -144,6 +176,26 @@ private:
     CGAL::Euler::join_face(first, m_quads);
     CGAL::Euler::join_face(fourth, m_quads);
     CGAL::Euler::join_vertex(diagonal, m_quads);
+  }
+
+  bool is_removable(const Vertex v) const
+  {
+    if(CGAL::is_border(v, m_quads) || degree(v, m_quads) != 2)
+      return false;
+    const Halfedge h = opposite(halfedge(v, m_quads), m_quads), g = prev(h, m_quads);
+    if(get(m_is_feature, edge(g, m_quads)) || get(m_is_feature, edge(h, m_quads)))
+      return false;
+    const Vertex a = target(h, m_quads), b = source(g, m_quads);
+    const Vertex x = target(next(h, m_quads), m_quads);
+    const Vertex y = target(next(opposite(g, m_quads), m_quads), m_quads);
+    if(a == b || x == y || degree(a, m_quads) < 3 || degree(b, m_quads) < 3)
+      return false;
+    const Quad joined{
+      {m_smoother.point(a), m_smoother.point(x), m_smoother.point(b), m_smoother.point(y)}};
+    const double least =
+      (std::min)(scaled_jacobian(m_smoother.quad(face(h, m_quads))),
+                 scaled_jacobian(m_smoother.quad(face(opposite(h, m_quads), m_quads))));
+    return least <= 0 || (least < thin_quad && scaled_jacobian(joined) > least);
   }
 
   Mesh& m_quads;

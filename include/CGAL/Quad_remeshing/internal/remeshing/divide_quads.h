@@ -19,14 +19,13 @@
 // two quads share each of its corners. This helps if no move of vertices can, because two features
 // that the quad turns around are a straight line in space, or more than that.
 
-#include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Quad_star.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -50,7 +49,7 @@ public:
   {
     std::vector<Face> bad;
     for(const Face f : faces(m_quads))
-      if(scaled_jacobian(m_smoother.quad(f)) < flat)
+      if(scaled_jacobian(m_smoother.quad(f)) < flat_quad)
         bad.push_back(f);
     std::size_t result = 0;
     for(const Face f : bad) {
@@ -81,11 +80,11 @@ private:
               p[k] = m_smoother.nearest(
                 between(middle, q[k], k == i ? towards_end : towards_others), q[k]);
             consider(q, p, best, inner);
-            if(best < flat)
-              starts.emplace_back(badness(q, p), p);
+            if(best < flat_quad)
+              starts.emplace_back(energy(q, p), p);
           }
     std::sort(starts.begin(), starts.end());
-    for(std::size_t i = 0; i < starts.size() && i < most_starts && best < flat; ++i) {
+    for(std::size_t i = 0; i < starts.size() && i < most_starts && best < flat_quad; ++i) {
       move_inner_quad(q, starts[i].second);
       consider(q, starts[i].second, best, inner);
     }
@@ -105,7 +104,7 @@ private:
   // Moves the corners of the inner quad along the surface, each by smaller steps as none helps.
   void move_inner_quad(const Quad& q, Quad& p) const
   {
-    double least = badness(q, p);
+    double least = energy(q, p);
     for(double step = norm(vector_to(q[0], q[2])) / 4, end = step / 100; step > end;) {
       bool has_changed = false;
       for(Space_vector& corner : p)
@@ -114,7 +113,7 @@ private:
             const Space_vector old = corner;
             corner[c] += sign * step;
             corner = m_smoother.nearest(corner, old);
-            const double now = badness(q, p);
+            const double now = energy(q, p);
             if(now < 0.99 * least) {
               least = now;
               has_changed = true;
@@ -126,11 +125,11 @@ private:
     }
   }
 
-  static double badness(const Quad& q, const Quad& p)
+  static double energy(const Quad& q, const Quad& p)
   {
     double sum = 0;
     for(const Quad& r : five_quads(q, p))
-      sum += std::exp(-20 * scaled_jacobian(r));
+      sum += energy_of_corner(scaled_jacobian(r));
     return sum;
   }
 
@@ -183,8 +182,7 @@ private:
     }
   }
 
-  static constexpr double flat = 0.01; // as a scaled Jacobian
-  static constexpr std::size_t most_starts = 6; // places of the inner quad
+    static constexpr std::size_t most_starts = 6; // places of the inner quad
 
   Mesh& m_quads;
   Feature_map m_is_feature;

@@ -18,6 +18,7 @@
 // The last resort for quads that are inverted or upside down: their vertices leave the features,
 // and then the surface, by as little as helps. Exact signs decide whether it does.
 
+#include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_star.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -37,6 +38,8 @@ namespace internal {
 class Quad_mender
   : private Remeshing_types
 {
+  using Corners = Quad_star::Corners;
+
   enum class Freedom
   {
     SURFACE_INSIDE, // vertices that are on no feature or border move along the surface
@@ -48,8 +51,8 @@ public:
   // \param is_feature whether an edge is a feature or border
   Quad_mender(Mesh& quads, const Feature_map& is_feature, Quad_smoother& smoother,
               const bool has_single_precision)
-    : m_quads(quads), m_smoother(smoother),
-      m_star(quads, is_feature, smoother, has_single_precision),
+    : m_quads(quads), m_is_feature(is_feature), m_smoother(smoother),
+      m_star(quads, smoother, has_single_precision),
       m_normal_of_plane(smoother.unit_normal_of_plane())
   { }
 
@@ -189,12 +192,12 @@ private:
   // vertices stay where they were.
   bool improve(const double radius, const Freedom freedom)
   {
-    double least = m_star.badness();
+    double least = m_star.energy(Corners::FLAT);
     for(int round = 0; round < most_rounds && least > 0; ++round) {
       const double before = least;
       for(std::size_t i = 0; i < m_vertices.size() && m_moves_left > 0; ++i)
         move(i, radius, freedom);
-      least = m_star.badness();
+      least = m_star.energy(Corners::FLAT);
       if(!(least < 0.999 * before))
         break;
     }
@@ -211,7 +214,7 @@ private:
   void move(const std::size_t i, const double radius, const Freedom freedom)
   {
     const Vertex v = m_vertices[i];
-    double least = m_star.badness_around(i);
+    double least = m_star.energy_around(i, Corners::FLAT);
     if(least == 0 || (freedom == Freedom::SURFACE_INSIDE && is_on_line(v)))
       return;
     --m_moves_left;
@@ -222,7 +225,7 @@ private:
       if(norm(vector_to(m_places[i], p)) > radius)
         return;
       m_star.set_point(v, p);
-      const double now = m_star.badness_around(i);
+      const double now = m_star.energy_around(i, Corners::FLAT);
       if(now < least) {
         least = now;
         best = m_smoother.point(v);
@@ -264,7 +267,8 @@ private:
     return result;
   }
 
-  bool is_on_line(const Vertex v) const { return m_star.number_of_lines(v) > 0; }
+  bool is_on_line(const Vertex v) const
+  { return !lines_at_vertex(m_quads, m_is_feature, v).empty(); }
 
   void note_displacements(const Freedom freedom)
   {
@@ -280,6 +284,7 @@ private:
   static constexpr std::size_t most_rings = 8; // rings of quads around an inverted one
 
   Mesh& m_quads;
+  Feature_map m_is_feature;
   Quad_smoother& m_smoother;
   Quad_star m_star; // of the vertices that move
   Space_vector m_normal_of_plane; // 0 where the surface is none

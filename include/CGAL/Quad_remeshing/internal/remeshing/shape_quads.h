@@ -16,20 +16,21 @@
 #include <CGAL/license/Quad_remeshing.h>
 
 // Moves the vertices of a quad mesh along its surface, or along their feature or border, such that
-// quads come close to rectangles and to the surface. Smoothing looks at neighbors only, which is
-// enough for small quads. If there are few quads, places all around are tried, too, and parts of
-// the surface that are cut off count more.
+// an energy falls: that of the shape of the quads, of their distance from the surface, and of the
+// distance of edges from their lines.
 
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Quad_star.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -70,7 +71,7 @@ inline std::array<Space_vector, 4> fitted_rectangle(const std::array<Space_vecto
 }
 
 // Invariant: vertices stay on the surface, and on the features and borders where they are; they do
-// not move at all where these turn or meet. No quad turns over.
+// not move at all where these turn or meet.
 class Quad_shaper
   : private Remeshing_types
 {
@@ -79,32 +80,64 @@ public:
   Quad_shaper(const Mesh& quads, const Feature_map& is_feature, const Mesh& surface,
               const Feature_lines& lines, Quad_smoother& smoother)
     : m_quads(quads), m_is_feature(is_feature), m_lines(lines), m_smoother(smoother),
-      m_are_few(quads.number_of_faces() <= most_few),
+      m_star(quads, smoother), m_are_few(quads.number_of_faces() <= most_few),
       m_samples(surface, number_of_samples(quads.number_of_faces()))
   { }
 
-  // Until little is gained, and at most about 50,000 quads in all, or one round. One vertex after
-  // the other, the worst corners alone would soon not get better: so all corners count at first.
-  void run(const std::size_t most_rounds)
+  // All vertices, until little is gained, and at most about 50,000 quads in all, or one round. One
+  // vertex after the other, the worst corners alone would soon not get better: so all corners count
+  // at first.
+  void shape_all(const std::size_t most_rounds)
   {
     const std::size_t affordable = 1 + most_quads / (1 + m_quads.number_of_faces());
     std::size_t rounds = (std::min)(most_rounds, affordable);
     const std::size_t last_rounds = rounds - rounds / 2;
-    m_all_corners_count = true;
+    m_corners = Corners::ALL;
     while(rounds > last_rounds && move_all())
       --rounds;
-    m_all_corners_count = false;
+    m_corners = Corners::WORST;
     while(rounds > 0 && move_all())
       --rounds;
   }
 
+  // The vertices of thin quads, and those next to them, as long as this helps.
+  void shape_thin_quads()
+  {
+    m_corners = Corners::THIN;
+    m_last_move.assign(m_quads.num_vertices(), 0);
+    m_last_try = m_last_move;
+    for(std::size_t round = 0; round < most_rounds_of_thin; ++round) {
+      const std::vector<Vertex> vertices = vertices_near_thin_quads();
+      if(vertices.empty())
+        return;
+      m_forms = m_samples.distance_forms(m_quads, m_are_few);
+      bool has_changed = false;
+      for(const Vertex v : vertices) {
+        m_star.collect({v});
+        if(!is_worth_a_try(v))
+          continue;
+        m_last_try[v] = ++m_time;
+        const double before = m_star.energy_around(0, m_corners);
+        if(move(v, true) > part_of_gain * before) {
+          m_last_move[v] = m_time;
+          has_changed = true;
+        }
+      }
+      if(!has_changed)
+        return;
+    }
+  }
+
 private:
+  using Corners = Quad_star::Corners;
+
   static constexpr std::size_t most_samples = 20000; // samples of the distance
   static constexpr std::size_t most_quads = 50000; // quads, counted over all rounds
   static constexpr std::size_t most_few = 1000; // quads are few up to here
-  static constexpr double weight_of_distance = 2, weight_of_lines = 4; // shape has the weight 1
-  static constexpr double turned_over = 1e100; // the badness of an inverted quad
-  static constexpr double little = 0.01, enough = 0.001; // badness
+  static constexpr std::size_t most_rounds_of_thin = 10; // rounds over all thin quads
+  static constexpr double weight_of_distance = 3, weight_of_lines = 4; // shape has the weight 1
+  static constexpr double part_of_gain = 0.01; // less of the energy is little
+  static constexpr double far_worse = 2; // as a ratio of energies
 
   // None where they would be few for each quad.
   static std::size_t number_of_samples(const std::size_t number_of_quads)
@@ -119,29 +152,78 @@ private:
                                             counted(m_quads.number_of_faces(), "quad"); });
     m_forms = m_samples.distance_forms(m_quads, m_are_few);
     double gain = 0;
-    for(const Vertex v : vertices(m_quads))
-      gain += move(v);
+    for(const Vertex v : vertices(m_quads)) {
+      m_star.collect({v});
+      gain += (std::min)(1., move(v, false));
+    }
     return gain >= 1e-3 * double(m_quads.number_of_faces());
   }
 
-  // Returns by how much the quads around have become better.
-  double move(const Vertex v)
+  // The vertices of thin quads, and their neighbors. The worst come first; otherwise their
+  // neighbors adapt to them.
+  std::vector<Vertex> vertices_near_thin_quads()
+  {
+    std::set<Vertex> vertices;
+    for(const Face f : faces(m_quads)) {
+      if(scaled_jacobian(m_smoother.quad(f)) >= thin_quad)
+        continue;
+      for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads)) {
+        vertices.insert(v);
+        for(const Vertex w : CGAL::vertices_around_target(v, m_quads))
+          vertices.insert(w);
+      }
+    }
+    std::vector<std::pair<double, Vertex> > order;
+    for(const Vertex v : vertices) {
+      m_star.collect({v});
+      order.emplace_back(-m_star.energy_around(0, m_corners), v);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<Vertex> result;
+    for(const auto& [energy, v] : order)
+      result.push_back(v);
+    return result;
+  }
+
+  // Whether something around has changed since the vertex was tried last.
+  bool is_worth_a_try(const Vertex v) const
+  {
+    for(const Face f : m_star.faces())
+      for(const Vertex w : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
+        if(m_last_move[w] >= m_last_try[v])
+          return true;
+    return false;
+  }
+
+  // To the best of places towards the rectangles of the quads around, and towards the surface; and
+  // of places all around, if quads are few or thin, and the others gain little. Returns the gain.
+  // \pre the star is that of the vertex
+  double move(const Vertex v, const bool is_thin)
   {
     m_lines_at_vertex = lines_at_vertex(m_quads, m_is_feature, v);
-    if(!m_lines_at_vertex.empty() && !goes_straight(m_quads, m_lines_at_vertex))
+    if(!m_lines_at_vertex.empty() && !goes_straight(m_quads, m_lines_at_vertex) &&
+       !is_flat_and_straight_in_space(v))
       return 0;
     const Space_vector old = m_smoother.point(v);
-    const Space_vector to_rectangles = vector_to(old, collect_star(v));
+    const Space_vector to_rectangles = vector_to(old, collect_rectangles(v));
     const Space_vector to_surface = m_forms[v].descent();
-    const double before = badness() + badness_of_lines(old);
+    const auto energy = [&](const Space_vector& p) {
+      return m_star.energy_around(0, m_corners) + energy_of_lines(p) +
+             weight_of_distance * m_forms[v].value(vector_to(old, p));
+    };
+    const double before = energy(old);
     double least = before;
     Space_vector best = old;
     const auto attempt = [&](const Space_vector& d) {
-      const Space_vector p = place(old, d);
+      Space_vector p{old[0] + d[0], old[1] + d[1], old[2] + d[2]};
+      if(m_lines_at_vertex.empty()) {
+        m_smoother.set_point(v, p);
+        if(energy(p) > far_worse * before)
+          return;
+      }
+      p = place(old, d);
       m_smoother.set_point(v, p);
-      const double now = badness() + badness_of_lines(p) +
-                         weight_of_distance * m_forms[v].value(vector_to(old, p));
-      if(now < least) {
+      if(const double now = energy(p); now < least) {
         least = now;
         best = p;
       }
@@ -157,12 +239,29 @@ private:
         attempt_both(0, step);
       }
     }
-    if(m_are_few && m_lines_at_vertex.empty() && before - least < little)
-      for(double step = 0.4, goal = least - enough; step > 0.04 && least > goal; step /= 2)
-        for(const Space_vector& d : m_plane.directions(step * m_plane.longest_edge))
-          attempt({best[0] - old[0] + d[0], best[1] - old[1] + d[1], best[2] - old[2] + d[2]});
+    const double little = part_of_gain * (1 + before);
+    if((is_thin || m_are_few) && before - least < little)
+      for(double step = is_thin ? 0.8 : 0.4, goal = least - little / 10;
+          step > 0.04 && least > goal; step /= 2) {
+        const Space_vector from = vector_to(old, best);
+        for(const Space_vector& d : directions(old, step))
+          attempt({from[0] + d[0], from[1] + d[1], from[2] + d[2]});
+      }
     m_smoother.set_point(v, best);
     return before - least;
+  }
+
+  // Eight, or along the line; as long as a part of an edge.
+  std::vector<Space_vector> directions(const Space_vector& from, const double part) const
+  {
+    std::vector<Space_vector> result;
+    if(m_lines_at_vertex.empty()) {
+      const auto all = m_plane.directions(part * m_plane.longest_edge);
+      result.assign(all.begin(), all.end());
+    }
+    for(const Halfedge h : m_lines_at_vertex)
+      result.push_back(between({}, vector_to(from, m_smoother.point(m_quads.source(h))), part));
+    return result;
   }
 
   // The place of the vertex on the surface, or on its feature line, between its two neighbors.
@@ -183,8 +282,19 @@ private:
     return from;
   }
 
+  // Whether the line goes on up to 20 degrees, though it turns in the grid, at a flat quad.
+  bool is_flat_and_straight_in_space(const Vertex v) const
+  {
+    if(m_lines_at_vertex.size() != 2 || m_star.energy_around(0, Corners::FLAT) == 0)
+      return false;
+    const Space_vector p = m_smoother.point(v);
+    const auto direction = [&](const Halfedge h)
+    { return scaled_to_one(vector_to(p, m_smoother.point(source(h, m_quads)))); };
+    return inner_product(direction(m_lines_at_vertex[0]), direction(m_lines_at_vertex[1])) < -0.94;
+  }
+
   // How far the edges along the line at `p` are from it, in units of their lengths, squared.
-  double badness_of_lines(const Space_vector& p) const
+  double energy_of_lines(const Space_vector& p) const
   {
     double sum = 0;
     for(const Halfedge h : m_lines_at_vertex) {
@@ -196,71 +306,35 @@ private:
     return weight_of_lines * sum;
   }
 
-  // Collects the quads around a vertex. Returns where their rectangles have it, on the average.
-  Space_vector collect_star(const Vertex v)
+  // Finds the plane of the star. Returns where the rectangles of its quads have the vertex, on the
+  // average.
+  Space_vector collect_rectangles(const Vertex v)
   {
     Space_vector result{};
-    m_faces.clear();
-    m_normals.clear();
-    m_plane = m_smoother.visit_star(v, [&](const Face f, const Quad& q, const Space_vector& n) {
-      m_faces.push_back(f);
-      m_normals.push_back(n);
+    m_plane = m_smoother.visit_star(v, [&](const Face, const Quad& q, const Space_vector&) {
       const auto corner = std::find(q.begin(), q.end(), m_smoother.point(v)) - q.begin();
       const Quad rectangle = fitted_rectangle(q);
       for(std::size_t c = 0; c < 3; ++c)
         result[c] += rectangle[std::size_t(corner)][c];
     });
     for(double& x : result)
-      x /= double(m_faces.size());
+      x /= double(m_star.faces().size());
     return result;
-  }
-
-  // The badness of long sides. Angles don't see them: for angles alone, a vertex on a line would
-  // halve the edge to its end in each round.
-  static double badness_of_sides(const Quad& q)
-  {
-    constexpr double long_side = 20, weight = 0.05, least_square = 1e-100; // sides over others
-    double shortest = std::numeric_limits<double>::infinity(), longest = least_square;
-    for(std::size_t i = 0; i < 4; ++i) {
-      const double squared = squared_distance(q[i], q[(i + 1) % 4]);
-      shortest = (std::min)(shortest, squared);
-      longest = (std::max)(longest, squared);
-    }
-    const double ratio = longest / (std::max)(shortest, least_square) / (long_side * long_side);
-    return ratio > 1 ? weight * std::log(ratio) / 2 : 0;
-  }
-
-  // By their worst corners, or by all: but where one is inverted, it counts alone, as others could
-  // make up for it. Thin quads count more than twice as much.
-  double badness() const
-  {
-    double sum = 0;
-    for(std::size_t i = 0; i < m_faces.size(); ++i) {
-      const Quad q = m_smoother.quad(m_faces[i]);
-      const Space_vector normal = quad_normal(q);
-      if(inner_product(normal, m_normals[i]) <= 0)
-        return turned_over;
-      const std::array<double, 4> sines = sines_of_angles(q, normal);
-      const double least = *std::min_element(sines.begin(), sines.end());
-      const double x = 1 - (m_all_corners_count && least > 0
-                              ? (sines[0] + sines[1] + sines[2] + sines[3]) / 4 : least);
-      sum += x + x * x + badness_of_sides(q);
-    }
-    return sum;
   }
 
   const Mesh& m_quads;
   Feature_map m_is_feature;
   const Feature_lines& m_lines;
   Quad_smoother& m_smoother;
-  bool m_all_corners_count = false;
+  Quad_star m_star;
+  Corners m_corners = Corners::ALL;
   bool m_are_few;
   Surface_samples m_samples;
   std::vector<Distance_form> m_forms; // per vertex
+  std::vector<std::size_t> m_last_move, m_last_try; // per vertex: when
+  std::size_t m_time = 0;
   // scratch: of the vertex that moves
   std::vector<Halfedge> m_lines_at_vertex;
-  std::vector<Face> m_faces;
-  std::vector<Space_vector> m_normals;
   Star_plane m_plane;
 };
 
