@@ -21,6 +21,7 @@
 #include <CGAL/Seamless_snapping/internal/untangling/Distortion.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -214,37 +215,78 @@ private:
     return result;
   }
 
-  // Keeps what has fewer faults. Returns what it cost, in iterations over a triangle.
+  // Values of a patch: first the values with the fewest faults, then the values that change least.
+  struct Candidate
+  {
+    std::pair<Faults, FT> cost;
+    std::vector<FT> values;
+
+    void improve(const Candidate& other)
+    {
+      if(other.cost < cost)
+        *this = other;
+    }
+  };
+
+  // Returns what it cost, in iterations over a triangle.
+  // \param allowed for each start
   double improve(const std::vector<std::size_t>& patch, const Attempt& attempt,
                  const double allowed)
   {
     const std::vector<std::size_t> triangles = triangles_of(patch);
-    const Faults before = faults(triangles);
-    std::vector<FT> start, values;
+    if(attempt.may_change_angles)
+      for(const Found& found : m_found)
+        if(found.iterations == attempt.iterations && found.patch == patch) {
+          move(patch, triangles, found.values);
+          return 0;
+        }
+    Candidate start{{faults(triangles), 0}, {}};
     for(std::size_t k = 0; k < patch.size(); ++k) {
       m_number_of[patch[k]] = int(k);
-      start.push_back(m_unknowns[patch[k]]);
+      start.values.push_back(m_unknowns[patch[k]]);
     }
-    Distortion_minimizer<FT> minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
-    const double of_iteration = minimizer.cost_of_iteration();
-    const double iterations = (std::min)(double(attempt.iterations), allowed / of_iteration);
-    const double cost = minimizer.cost_of_start() +
-      of_iteration * double(minimizer.run(std::size_t(iterations), regularization));
-    for(std::size_t k = 0; k < patch.size(); ++k)
-      values.push_back(start[k] + minimizer.change()[Eigen::Index(k)]);
-    move(patch, triangles, values);
-    const Faults after = faults(triangles);
-    if(!(after < before) || (!attempt.may_change_angles && after.second > before.second))
-      move(patch, triangles, start);
+    Candidate best = start, best_with_any_angles = start, next = start;
+    double cost = 0;
+    for(const FT regularization : regularizations) {
+      Distortion_minimizer<FT> minimizer(m_map, triangles, m_number_of, patch.size(), m_unknowns);
+      const double of_iteration = minimizer.cost_of_iteration();
+      const double iterations = (std::min)(double(attempt.iterations), allowed / of_iteration);
+      cost += minimizer.cost_of_start() +
+              of_iteration * double(minimizer.run(std::size_t(iterations), regularization));
+      for(std::size_t k = 0; k < patch.size(); ++k)
+        next.values[k] = start.values[k] + minimizer.change()[Eigen::Index(k)];
+      move(patch, triangles, next.values);
+      const Faults after = faults(triangles);
+      next.cost = {after, minimizer.change().cwiseAbs().maxCoeff()};
+      best_with_any_angles.improve(next);
+      if(attempt.may_change_angles || after.second <= start.cost.first.second)
+        best.improve(next);
+      if(after.first > 0 || after.second == 0)
+        break; // another start is for other angles
+      move(patch, triangles, start.values);
+    }
+    move(patch, triangles, best.values);
+    if(!attempt.may_change_angles && best.values == start.values)
+      m_found.push_back({attempt.iterations, patch, best_with_any_angles.values});
     for(const std::size_t i : patch)
       m_number_of[i] = -1;
     return cost;
   }
 
-  // To start with. From 1 on, triangles can collapse.
-  static constexpr FT regularization = 0.45;
+  // To start with. From 1 on, triangles can collapse; but what comes out mostly changes less.
+  static constexpr std::array<FT, 2> regularizations{{0.45, 1}};
+
+  // The result for a patch that had to keep its angles, and so stayed as it was. If the next
+  // attempt may change angles, it need not search again.
+  struct Found
+  {
+    std::size_t iterations;
+    std::vector<std::size_t> patch;
+    std::vector<FT> values;
+  };
 
   const Constrained_triangles& m_map;
+  std::vector<Found> m_found;
   std::vector<FT> m_unknowns;
   std::vector<int> m_number_of; // per unknown: its number in the patch, or -1
   std::vector<std::vector<std::size_t> > m_triangles_of; // per unknown
