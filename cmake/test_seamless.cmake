@@ -1401,15 +1401,18 @@ string(REGEX MATCH "faces? ([0-9]+)" match "${out}")
 expect_message("${out}" " of inverted.off")
 # of flat sides in one plane, two quads are upside down, and vertices stay where there is to be a
 # mirror image: that is written, and the exit status tells of it
-file(WRITE "${WORK_DIR}/pillow.off" "OFF\n6 8 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 0\n.5 .5 1e-6\n\
+foreach(height 0 1e-6)
+  file(WRITE "${WORK_DIR}/pillow_${height}.off"
+       "OFF\n6 8 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .5 0\n.5 .5 ${height}\n\
 3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 1 0 5\n3 2 1 5\n3 3 2 5\n3 0 3 5\n")
-seamless(5 remesh pillow.off pillow_quads.off --number 1 --symmetry auto --report pillow.json)
+endforeach()
+seamless(5 remesh pillow_0.off pillow_quads.off --number 1 --symmetry auto --report pillow.json)
 expect_message("${err}" "pillow_quads.off: written, but 2 quads stay folded")
 file(READ "${WORK_DIR}/pillow.json" json)
 expect_message("${json}" "\"number_of_folded_quads\": 2,")
 expect_message("${json}" "\"number_of_inverted_quads\": 0,")
 # a few more quads than wanted have room to mend them
-seamless(0 remesh pillow.off pillow_quads.off --number 1)
+seamless(0 remesh pillow_1e-6.off pillow_quads.off --number 1)
 expect_message("${out}" "; 4 cones take at least 2 quads; 2 quads were found, too, ")
 expect_message("${out}" "1 of them inverted or folded")
 seamless(0 remesh in.obj new_quads.off --quads 20 --feature-angle 5 --report remeshed.json)
