@@ -331,22 +331,17 @@ private:
   {
     Component_solution nearest(solution);
     bool found = evaluate_on_grids(m_core.get(), coarsest, nearest);
-    const auto is_good = [&]() {
-      return found && nearest.grid.exponent() <= solution.grid.exponent() &&
-             !is_far(values, solution, nearest);
-    };
-    const auto try_again = [&](const Core_solver* const core, Component_solution other) {
-      if(!evaluate_on_grids(core, coarsest, other) ||
-         (found && distance(other) >= distance(nearest)))
-        return;
-      nearest = std::move(other);
-      found = true;
-    };
-    if(!is_whole() && m_may_be_whole && !is_good()) {
+    if(!is_whole() && m_may_be_whole &&
+       (!found || nearest.grid.exponent() > solution.grid.exponent() ||
+        is_far(values, solution, nearest))) {
       if(m_whole == nullptr)
         m_whole = whole_system();
-      if(m_whole != nullptr)
-        try_again(m_whole.get(), solution);
+      Component_solution other(solution);
+      if(m_whole != nullptr && evaluate_on_grids(m_whole.get(), coarsest, other) &&
+         !(found && distance(other) >= distance(nearest))) {
+        nearest = std::move(other);
+        found = true;
+      }
     }
     solution = std::move(nearest);
     return found;
