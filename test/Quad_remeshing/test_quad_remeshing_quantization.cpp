@@ -23,6 +23,7 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/divide_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/mend_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Surface_locator.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Upper_sides.h>
 #include <CGAL/Quad_remeshing/measure_quad_shapes.h>
 #include <CGAL/Quad_remeshing/find_symmetry_plane.h>
@@ -2708,7 +2709,8 @@ void run_on_copy(const Mesh& mesh, Mesh& quads, const Run& run)
     is_feature[e] = quads.is_border(e);
   const internal::Surface_to_remesh surface = surface_to_remesh(mesh);
   scale(quads, 1 / surface.unscaled(1));
-  QR::internal::Quad_smoother smoother(quads, surface.mesh());
+  const QR::internal::Surface_locator locator(surface.mesh());
+  QR::internal::Quad_smoother smoother(quads, locator);
   run(surface, is_feature, QR::internal::Feature_lines(surface), smoother);
   scale(quads, surface.unscaled(1));
 }
@@ -2981,7 +2983,8 @@ void test_division()
     const Feature_map is_feature =
       quads.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
     const internal::Surface_to_remesh surface = surface_to_remesh(surface_mesh);
-    QR::internal::Quad_smoother smoother(quads, surface.mesh());
+    const QR::internal::Surface_locator locator(surface.mesh());
+    QR::internal::Quad_smoother smoother(quads, locator);
     CHECK(smoother.shapes().least_scaled_jacobian <= 0);
     QR::internal::Quad_divider divider(quads, is_feature, smoother);
     const bool is_helped = y < 1;
@@ -3003,7 +3006,7 @@ void test_division()
 void test_side_of_plate()
 {
   constexpr double thickness = 0.01;
-  Mesh plate, quads;
+  Mesh plate;
   for(const double z : {0., thickness}) {
     std::vector<Vertex> v;
     for(const Point_3& p : {Point_3(0, 0, z), Point_3(1, 0, z), Point_3(1, 1, z), Point_3(0, 1, z)})
@@ -3013,10 +3016,10 @@ void test_side_of_plate()
     plate.add_face(v[0], v[1], v[2]);
     plate.add_face(v[0], v[2], v[3]);
   }
-  const QR::internal::Quad_smoother smoother(quads, plate);
+  const QR::internal::Surface_locator locator(plate);
   for(const double distance : {0.5 * thickness, 2 * thickness}) {
-    const auto face = smoother.nearest_face({{0.4, 0.3, -0.1}}, {{0, 0, 1}}, distance);
-    CHECK_EQUAL(smoother.normal_of_surface(face)[2] > 0, distance > thickness);
+    const auto face = locator.nearest_face({{0.4, 0.3, -0.1}}, {{0, 0, 1}}, distance);
+    CHECK_EQUAL(locator.normal(face)[2] > 0, distance > thickness);
   }
 }
 
@@ -3031,7 +3034,8 @@ void check_mending(Flat_quads& flat, const bool has_single_precision,
     flat.quads.add_property_map<Mesh::Edge_index, bool>("e:feature", true).first;
   const internal::Surface_to_remesh surface = surface_to_remesh(flat.square);
   scale(flat.quads, 1 / surface.unscaled(1));
-  QR::internal::Quad_smoother smoother(flat.quads, surface.mesh());
+  const QR::internal::Surface_locator locator(surface.mesh());
+  QR::internal::Quad_smoother smoother(flat.quads, locator);
   QR::internal::Upper_sides upper_sides(flat.quads, is_feature, surface, smoother);
   const auto faces_down = [&](const auto f) // other than the square
     { return QR::internal::quad_normal(smoother.quad(f))[2] < 0; };
@@ -3150,11 +3154,12 @@ void test_folded_quads()
     if(is_folded)
       std::reverse(corners.begin(), corners.end());
     const auto f = quads.add_face(corners);
-    QR::internal::Quad_smoother smoother(quads, surface.mesh());
+    const QR::internal::Surface_locator locator(surface.mesh());
+    QR::internal::Quad_smoother smoother(quads, locator);
     const auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:line", false).first;
     const QR::internal::Upper_sides upper_sides(quads, is_feature, surface, smoother);
     const auto quad = smoother.quad(f);
-    CHECK(QR::internal::inner_product(smoother.normal_of_surface(quad),
+    CHECK(QR::internal::inner_product(locator.normal(quad),
                                       QR::internal::quad_normal(quad)) < 0);
     CHECK_EQUAL(upper_sides.is_folded(f), is_folded);
   }
@@ -3182,7 +3187,8 @@ void test_quad_across_fin()
       corners.push_back(
         quads.add_vertex(Point_3(surface.scaled(x), surface.scaled(y), surface.scaled(z))));
     const auto f = quads.add_face(corners);
-    QR::internal::Quad_smoother smoother(quads, surface.mesh());
+    const QR::internal::Surface_locator locator(surface.mesh());
+    QR::internal::Quad_smoother smoother(quads, locator);
     const auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:line", false).first;
     const QR::internal::Upper_sides upper_sides(quads, is_feature, surface, smoother);
     CHECK_EQUAL(upper_sides.is_folded(f), is_folded);
@@ -3226,7 +3232,8 @@ void test_quads_that_turn_back()
       const internal::Surface_to_remesh surface =
         surface_to_remesh(mesh, parameters::edge_is_constrained_map(is_sharp));
       scale(quads, 1 / surface.unscaled(1));
-      QR::internal::Quad_smoother smoother(quads, surface.mesh());
+      const QR::internal::Surface_locator locator(surface.mesh());
+      QR::internal::Quad_smoother smoother(quads, locator);
       QR::internal::Upper_sides upper_sides(quads, is_line, surface, smoother);
       const auto raise_crest = [&](const double height) {
         for(std::size_t j = 0; j <= rows; ++j) {
@@ -3256,7 +3263,8 @@ void test_coarse_quads()
     const internal::Surface_to_remesh surface = surface_to_remesh(mesh);
     scale(quads, 1 / surface.unscaled(1));
     const auto is_line = quads.add_property_map<Mesh::Edge_index, bool>("e:f", false).first;
-    const QR::internal::Quad_smoother smoother(quads, surface.mesh());
+    const QR::internal::Surface_locator locator(surface.mesh());
+    const QR::internal::Quad_smoother smoother(quads, locator);
     const QR::internal::Upper_sides upper_sides(quads, is_line, surface, smoother);
     double least = 1; // cosine of the normals of two quads
     for(const auto e : quads.edges()) {
@@ -3350,7 +3358,8 @@ void test_collapse()
     const auto features_before = number_of_features();
     const internal::Surface_to_remesh surface = surface_to_remesh(flat.square);
     scale(flat.quads, 1 / surface.unscaled(1));
-    QR::internal::Quad_smoother smoother(quads, surface.mesh());
+    const QR::internal::Surface_locator locator(surface.mesh());
+    QR::internal::Quad_smoother smoother(quads, locator);
     const Point_3 on_line = quads.point(v[10]);
     const std::size_t expected = kind == FREE || kind == ON_LINE ? 1 : 0;
     const std::size_t number_before = quads.number_of_faces();

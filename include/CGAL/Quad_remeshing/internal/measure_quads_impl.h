@@ -19,6 +19,7 @@
 
 #include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Quad_writer.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Surface_locator.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
@@ -39,7 +40,7 @@ inline double size_at(const Surface_to_remesh& input, const Space_vector& place,
                       const Quad_smoother& smoother)
 {
   const auto& mesh = input.mesh();
-  const auto face = smoother.nearest_face(place);
+  const auto face = smoother.surface().nearest_face(place);
   const auto part = locate_in_face(to_point(place), face, mesh, mesh.points()).second;
   const auto h = mesh.halfedge(face);
   return part[0] * input.sizes()[mesh.source(h)] + part[1] * input.sizes()[mesh.target(h)] +
@@ -91,7 +92,7 @@ inline Nearest_faces nearest_faces(const Surface_to_remesh& input,
   const auto number = [&](const Space_vector& place, const Space_vector& doubled_area_vector,
                           const std::size_t number_of_quads) {
     const double size = std::sqrt(norm(doubled_area_vector) / double(2 * number_of_quads));
-    return input.original(smoother.nearest_face(place, doubled_area_vector, size / 2));
+    return input.original(smoother.surface().nearest_face(place, doubled_area_vector, size / 2));
   };
   Nearest_faces result;
   if(located.vertices) {
@@ -117,7 +118,8 @@ Nearest_faces measure_quads(const Marked_surface& surface, const double number_w
   const Surface_to_remesh input(surface, std::nullopt);
   for(auto& p : quads.points())
     p = {input.scaled(p.x()), input.scaled(p.y()), input.scaled(p.z())};
-  const Quad_smoother smoother(quads, input.mesh());
+  const Surface_locator locator(input.mesh());
+  const Quad_smoother smoother(quads, locator);
   const std::size_t number = (std::max)(20000u, input.mesh().number_of_faces());
   const Surface_samples samples(input.mesh(), number);
   report.largest_distance = input.unscaled(smoother.measure_distance());

@@ -26,6 +26,7 @@
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
 #include <CGAL/Quad_remeshing/internal/has_too_many_quads.h>
 #include <CGAL/Quad_remeshing/internal/measure_quads_impl.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Surface_locator.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Upper_sides.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/add_mirror_image.h>
@@ -66,9 +67,10 @@ class Quad_remesher
   using State = Remeshing_run::State;
 
 public:
-  Quad_remesher(Surface_to_remesh& surface, const Remeshing_options& options, Mesh& quads,
-                const Feature_map& is_feature)
-    : m_run(surface, options), m_quads(quads), m_is_feature(is_feature)
+  // \param locator that of the surface, once it is needed
+  Quad_remesher(Surface_to_remesh& surface, std::optional<Surface_locator>& locator,
+                const Remeshing_options& options, Mesh& quads, const Feature_map& is_feature)
+    : m_run(surface, options), m_locator(locator), m_quads(quads), m_is_feature(is_feature)
   { }
 
   void run()
@@ -210,10 +212,10 @@ private:
     const std::size_t fewest = m_choices.front().quantization.number_of_quads;
     m_least_number = (std::max)(double(fewest), m_run.options.quantization.number_of_quads);
     const Surface_samples samples(m_run.mesh(), number_of_samples);
-    keep_best_choices(samples, 2, [&](const Feature_lines& lines, Quad_smoother& smoother)
-                                  { shape(lines, smoother, rounds_to_choose); });
-    keep_best_choices(samples, 1, [&](const Feature_lines& lines, Quad_smoother& smoother)
-                                  { shape_and_improve(lines, smoother); });
+    keep_best_choices(samples, 2, [&](Quad_shaper& shaper, Quad_smoother& smoother)
+                                  { shape(shaper, smoother, rounds_to_choose); });
+    keep_best_choices(samples, 1, [&](Quad_shaper& shaper, Quad_smoother& smoother)
+                                  { shape_and_improve(shaper, smoother); });
     m_run.set_state(m_choices.front());
     m_quads.clear_without_removing_property_maps();
     if(!make_quads())
@@ -230,7 +232,7 @@ private:
     return true;
   }
 
-  // So many, by the quads that `move(lines, smoother)` gives their shape.
+  // So many, by the quads that `move(shaper, smoother)` gives their shape.
   template <typename Move>
   void keep_best_choices(const Surface_samples& samples, const std::size_t number,
                          const Move& move)
@@ -260,7 +262,7 @@ private:
            0.3 * double(m_quads.number_of_faces()) / m_least_number;
   }
 
-  // Gives the quads of a choice a shape by `move(lines, smoother)`, and calls `measure(smoother)`.
+  // Gives the quads of a choice a shape by `move(shaper, smoother)`, and calls `measure(smoother)`.
   template <typename Move, typename Measure>
   void shape_choice(const State& choice, const Move& move, const Measure& measure)
   {
@@ -269,8 +271,10 @@ private:
     m_quads.set_recycle_garbage(false);
     if(!extract())
       return;
-    Quad_smoother smoother(m_quads, m_run.mesh());
-    move(Feature_lines(m_run.surface), smoother);
+    Quad_smoother smoother(m_quads, locator());
+    const Feature_lines lines(m_run.surface);
+    Quad_shaper shaper(m_quads, m_is_feature, m_run.mesh(), lines, smoother);
+    move(shaper, smoother);
     measure(smoother);
     m_run.work.spend(work_of(smoother));
     m_run.timer.finish("smoothing");
@@ -287,8 +291,8 @@ private:
       return;
     const State first = m_choices.front();
     shape_choice(first,
-                 [&](const Feature_lines& lines, Quad_smoother& smoother)
-                 { shape(lines, smoother, rounds_to_choose); },
+                 [&](Quad_shaper& shaper, Quad_smoother& smoother)
+                 { shape(shaper, smoother, rounds_to_choose); },
                  [&](const Quad_smoother& smoother)
                  { m_jacobian_of_fewest = smoother.shapes().mean_scaled_jacobian; });
     const bool is_good = m_jacobian_of_fewest >= good_shape;
@@ -314,6 +318,9 @@ private:
     m_run.set_state(first);
     m_quads.clear_without_removing_property_maps();
   }
+
+  const Surface_locator& locator()
+  { return m_locator ? *m_locator : m_locator.emplace(m_run.mesh()); }
 
   static double work_of(const Quad_smoother& smoother)
   {
@@ -354,9 +361,11 @@ private:
   bool smooth()
   {
     m_quads.set_recycle_garbage(false); // so that each number is of one quad
-    Quad_smoother smoother(m_quads, m_run.mesh());
+    Quad_smoother smoother(m_quads, locator());
     Upper_sides upper_sides(m_quads, m_is_feature, m_run.surface, smoother);
-    const bool is_improved = shape_and_improve(Feature_lines(m_run.surface), smoother);
+    const Feature_lines lines(m_run.surface);
+    Quad_shaper shaper(m_quads, m_is_feature, m_run.mesh(), lines, smoother);
+    const bool is_improved = shape_and_improve(shaper, smoother);
     if(is_improved && !m_run.surface.mirror())
       mend(upper_sides, smoother);
     m_run.work.spend(work_of(smoother) + double(upper_sides.number_of_walks()));
@@ -394,13 +403,12 @@ private:
 
   // All but what is left to mend. Where the work is spent, in as few rounds as there are. Returns
   // false if the quads stay as they are for want of rounds or of hope.
-  bool shape_and_improve(const Feature_lines& lines, Quad_smoother& smoother)
+  bool shape_and_improve(Quad_shaper& shaper, Quad_smoother& smoother)
   {
-    shape(lines, smoother,
+    shape(shaper, smoother,
           m_run.work.is_left() ? shaping_rounds * m_run.options.number_of_smoothing_rounds : 1);
     if(m_run.options.number_of_smoothing_rounds == 0 || is_hopeless(smoother))
       return false;
-    Quad_shaper shaper(m_quads, m_is_feature, m_run.mesh(), lines, smoother);
     int edits = 0;
     do {
       shaper.shape_thin_quads();
@@ -436,15 +444,15 @@ private:
   }
 
   // Vertices move; see `Quad_smoother` and `Quad_shaper`.
-  void shape(const Feature_lines& lines, Quad_smoother& smoother, const std::size_t most_rounds)
+  void shape(Quad_shaper& shaper, Quad_smoother& smoother, const std::size_t most_rounds)
   {
+    if(m_run.options.number_of_smoothing_rounds == 0)
+      return;
     const auto is_held = [&](const Mesh::Vertex_index v)
     { return !lines_at_vertex(m_quads, m_is_feature, v).empty(); };
-    if(m_run.options.number_of_smoothing_rounds > 0)
-      smoother.unfold(is_held);
+    smoother.unfold(is_held);
     smoother.smooth(m_run.options.number_of_smoothing_rounds, is_held);
-    if(m_run.options.number_of_smoothing_rounds > 0)
-      Quad_shaper(m_quads, m_is_feature, m_run.mesh(), lines, smoother).shape_all(most_rounds);
+    shaper.shape_all(most_rounds);
   }
 
   // Not where there is to be a mirror image: vertices on the plane have to stay there.
@@ -492,6 +500,7 @@ private:
   static constexpr std::size_t shaping_rounds = 4; // for each of smoothing, at most
 
   Remeshing_run m_run;
+  std::optional<Surface_locator>& m_locator;
   std::vector<State> m_choices; // quads are made of the best one
   Mesh& m_quads;
   Feature_map m_is_feature;
@@ -589,6 +598,7 @@ inline Remeshing_report remesh_surface(Surface_to_remesh& surface,
   surface.straighten_border(border_tolerance(surface, options));
   const Is_better is_better(surface);
   const Work& work = *options.quantization.work;
+  std::optional<Surface_locator> locator;
   Remeshing_report before; // an attempt: what has been released
   constexpr double most_edges = 8; // of quads, around a bad one
   constexpr double good_jacobian = 0.9; // a mean scaled Jacobian
@@ -606,7 +616,7 @@ inline Remeshing_report remesh_surface(Surface_to_remesh& surface,
     return r && (r.number_of_bad_quads() > 0 || is_distorted || has_other_sizes);
   };
   const auto attempt = [&](Mesh& mesh, const Surface_to_remesh::Feature_map& is_kept) {
-    Quad_remesher remesher(surface, options, mesh, is_kept);
+    Quad_remesher remesher(surface, locator, options, mesh, is_kept);
     remesher.run();
     remesher.count_released_edges(before);
     const Remeshing_report report = remesher.report();
@@ -843,7 +853,8 @@ Remeshing_report smooth(const Marked_surface& input, const Quantization& quantiz
                         const Surface_to_remesh::Feature_map& is_feature)
 {
   Surface_to_remesh surface(input, std::nullopt);
-  return Quad_remesher(surface, options, quads, is_feature).run_on_quads(quantization);
+  std::optional<Surface_locator> locator;
+  return Quad_remesher(surface, locator, options, quads, is_feature).run_on_quads(quantization);
 }
 
 #ifdef CGAL_SEAMLESS_SNAPPING_COMPILED

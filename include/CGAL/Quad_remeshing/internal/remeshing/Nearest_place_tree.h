@@ -116,6 +116,7 @@ public:
     m_nodes.reserve(elements.size());
     m_nodes.emplace_back();
     m_elements.reserve(elements.size());
+    m_boxes.reserve(elements.size());
     m_numbers.reserve(elements.size());
     build(0, entries.begin(), entries.end(), elements);
   }
@@ -245,6 +246,7 @@ private:
       m_nodes[node] = {box, Index(m_elements.size()), Index(end - begin)};
       for(Entry_iterator e = begin; e != end; ++e) {
         m_elements.push_back(elements[e->number]);
+        m_boxes.push_back(e->box);
         m_numbers.push_back(e->number);
       }
       return;
@@ -272,6 +274,8 @@ private:
   void search(const Node& node, const Space_vector& p, Place& best) const
   {
     for(Index i = node.first; i < node.first + node.number_of_elements; ++i) {
+      if(m_boxes[i].squared_distance(p) >= best.squared_distance)
+        continue;
       const Space_vector q = nearest_place(p, m_elements[i]);
       if(const double squared = internal::squared_distance(p, q); squared < best.squared_distance)
         best = {q, i, squared};
@@ -304,6 +308,7 @@ private:
 
   std::vector<Node> m_nodes; // the root first
   std::vector<Element> m_elements; // in the order of leaves
+  std::vector<Box> m_boxes; // of these
   std::vector<Index> m_numbers; // of these
   mutable std::size_t m_number_of_searches = 0;
 };

@@ -93,6 +93,9 @@ public:
 
   const std::vector<Face>& faces() const { return m_faces; }
 
+  // Quads face from here on as the surface does beside them now.
+  void forget_normals() { m_normals_of_surface.clear(); }
+
   // The face is to be neither inverted nor upside down any more.
   void has_to_be_mended(const Face f) { m_was_bad[index(f)] = false; }
 
@@ -147,7 +150,7 @@ private:
       return normal;
     const auto [it, is_new] = m_normals_of_surface.try_emplace(f);
     if(is_new)
-      it->second = m_smoother.normal_of_surface(q);
+      it->second = m_smoother.surface().normal(q);
     return upper_side_or_own(q, it->second);
   }
 

@@ -39,12 +39,17 @@ inline Space_vector quad_normal(const Quad_in_space& q) { return area_vector<dou
 // The sines of the angles, as seen along `normal`; -1 where there is no angle.
 inline std::array<double, 4> sines_of_angles(const Quad_in_space& q, const Space_vector& normal)
 {
-  std::array<double, 4> result;
-  const double size = norm(normal);
+  std::array<Space_vector, 4> sides;
+  std::array<double, 4> lengths, result;
   for(std::size_t i = 0; i < 4; ++i) {
-    const Space_vector a = vector_to(q[i], q[(i + 1) % 4]), b = vector_to(q[i], q[(i + 3) % 4]);
-    const double scale = norm(a) * norm(b) * size;
-    result[i] = scale > 0 ? inner_product(vector_product(a, b), normal) / scale : -1.;
+    sides[i] = vector_to(q[i], q[(i + 1) % 4]);
+    lengths[i] = norm(sides[i]);
+  }
+  const double size = norm(normal);
+  for(std::size_t i = 0, before = 3; i < 4; before = i++) {
+    const double scale = lengths[i] * lengths[before] * size;
+    result[i] = scale > 0 ? inner_product(vector_product(sides[before], sides[i]), normal) / scale
+                          : -1.;
   }
   return result;
 }

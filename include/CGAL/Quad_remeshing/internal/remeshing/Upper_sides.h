@@ -145,7 +145,7 @@ private:
     for(const Halfedge h : CGAL::halfedges_around_face(halfedge(f, m_quads), m_quads))
       if(const Face other = face(opposite(h, m_quads), m_quads); other != Mesh::null_face())
         ++(inner_product(own, quad_normal(m_smoother.quad(other))) < 0 ? against : along);
-    return against > along || inner_product(own, m_smoother.normal_of_surface(q)) < 0;
+    return against > along || inner_product(own, m_smoother.surface().normal(q)) < 0;
   }
 
   // Where a vertex lies, up to single precision, on the part of the surface that it comes from; the
@@ -164,7 +164,8 @@ private:
   Face nearest_face(const Vertex v) const
   {
     const auto ignore = [](Face, const Quad&, const Space_vector&) { };
-    return m_smoother.nearest_face(m_smoother.point(v), m_smoother.visit_star(v, ignore).normal);
+    return m_smoother.surface().nearest_face(m_smoother.point(v),
+                                             m_smoother.visit_star(v, ignore).normal);
   }
 
   // The faces below the corners that lie on no feature: those of the others are on either side.
@@ -215,7 +216,7 @@ private:
       for(const Space_vector& p : places(q))
         result.push_back(unit_normal(walk(start, p)));
     if(result.empty())
-      result.push_back(scaled_to_one(m_smoother.normal_of_surface(q)));
+      result.push_back(scaled_to_one(m_smoother.surface().normal(q)));
     return result;
   }
 
@@ -225,12 +226,12 @@ private:
     for(const Vertex v : CGAL::vertices_around_face(halfedge(f, m_quads), m_quads))
       result.push_back(unit_normal(face_of_surface(v)));
     for(const Space_vector& p : places(q))
-      result.push_back(unit_normal(m_smoother.nearest_face(p, quad_normal(q))));
+      result.push_back(unit_normal(m_smoother.surface().nearest_face(p, quad_normal(q))));
     return result;
   }
 
   Space_vector unit_normal(const Face f) const
-  { return scaled_to_one(m_smoother.normal_of_surface(f)); }
+  { return scaled_to_one(m_smoother.surface().normal(f)); }
 
   static Space_vector mean_of(const std::vector<Space_vector>& vectors)
   {

@@ -145,7 +145,7 @@ private:
     if(!is_fixed(a))
       places.push_back(q);
     if(places.size() == 2)
-      places.push_back(m_smoother.nearest(
+      places.push_back(m_smoother.surface().nearest(
         {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2}));
     double least = std::numeric_limits<double>::infinity();
     Space_vector best = p;

@@ -77,7 +77,7 @@ private:
             const Space_vector middle = between(q[i], q[(i + 2) % 4], along);
             Quad p;
             for(std::size_t k = 0; k < 4; ++k)
-              p[k] = m_smoother.nearest(
+              p[k] = m_smoother.surface().nearest(
                 between(middle, q[k], k == i ? towards_end : towards_others), q[k]);
             consider(q, p, best, inner);
             if(best < flat_quad)
@@ -112,7 +112,7 @@ private:
           for(const double sign : {1., -1.}) {
             const Space_vector old = corner;
             corner[c] += sign * step;
-            corner = m_smoother.nearest(corner, old);
+            corner = m_smoother.surface().nearest(corner, old);
             const double now = energy(q, p);
             if(now < 0.99 * least) {
               least = now;
@@ -154,7 +154,7 @@ private:
   bool face_upwards(const std::array<Quad, 5>& all) const
   {
     return std::all_of(all.begin(), all.end(), [&](const Quad& q) {
-      return inner_product(quad_normal(q), m_smoother.normal_of_surface(q)) > 0;
+      return inner_product(quad_normal(q), m_smoother.surface().normal(q)) > 0;
     });
   }
 

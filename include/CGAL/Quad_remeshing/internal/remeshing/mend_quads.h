@@ -53,7 +53,7 @@ public:
               const bool has_single_precision)
     : m_quads(quads), m_is_feature(is_feature), m_smoother(smoother),
       m_star(quads, smoother, has_single_precision),
-      m_normal_of_plane(smoother.unit_normal_of_plane())
+      m_normal_of_plane(smoother.surface().unit_normal_of_plane())
   { }
 
   // At most 36 attempts for each quad, of at most 40 rounds over its vertices; and `most_moves` of
@@ -155,7 +155,7 @@ private:
     for(int round = 0; round < most_rounds; ++round)
       for(const Vertex v : m_vertices)
         if(!m_quads.is_border(v))
-          m_star.set_point(v, m_smoother.nearest(m_smoother.middle_of_neighbors(v)));
+          m_star.set_point(v, m_smoother.surface().nearest(m_smoother.middle_of_neighbors(v)));
     note_displacements(Freedom::SURFACE);
   }
 
@@ -237,7 +237,7 @@ private:
           try_place(moved(from, d, step));
       else
         for(const Space_vector& d : plane.directions(step))
-          try_place(m_smoother.nearest(moved(from, d, 1)));
+          try_place(m_smoother.surface().nearest(moved(from, d, 1)));
     m_smoother.set_point(v, best);
   }
 

@@ -104,6 +104,7 @@ public:
   void shape_thin_quads()
   {
     m_corners = Corners::THIN;
+    m_star.forget_normals();
     m_last_move.assign(m_quads.num_vertices(), 0);
     m_last_try = m_last_move;
     for(std::size_t round = 0; round < most_rounds_of_thin; ++round) {
@@ -268,7 +269,7 @@ private:
   Space_vector place(const Space_vector& from, const Space_vector& displacement) const
   {
     if(m_lines_at_vertex.empty())
-      return m_smoother.nearest({from[0] + displacement[0], from[1] + displacement[1],
+      return m_smoother.surface().nearest({from[0] + displacement[0], from[1] + displacement[1],
                                  from[2] + displacement[2]}, from);
     for(const Halfedge h : m_lines_at_vertex) {
       const Space_vector d = vector_to(from, m_smoother.point(m_quads.source(h)));

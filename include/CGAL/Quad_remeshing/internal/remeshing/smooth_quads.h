@@ -19,9 +19,9 @@
 // their neighbors; and measures the result. All of this is floating point.
 
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
-#include <CGAL/Quad_remeshing/internal/remeshing/Nearest_place_tree.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Shape_counter.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Space_vector.h>
+#include <CGAL/Quad_remeshing/internal/remeshing/Surface_locator.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_to_remesh.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -73,27 +73,17 @@ class Quad_smoother
   : public Remeshing_types
 {
 public:
-  Quad_smoother(Mesh& quads, const Mesh& surface)
+  Quad_smoother(Mesh& quads, const Surface_locator& surface)
     : m_quads(quads), m_surface(surface),
-      m_upper_sides(quads.add_property_map<Face, Space_vector>("f:upper_side").first)
-  {
-    std::vector<Space_triangle> triangles;
-    const auto add_if = [&](const auto& is_wanted) {
-      for(const Face f : surface.faces())
-        if(const Space_triangle t = triangle_of(surface, f); is_wanted(t)) {
-          triangles.push_back(t);
-          m_searched.push_back(f);
-        }
-    };
-    add_if([](const Space_triangle& t) // the points of others lie on these, too
-           { return !CGAL::collinear(to_point(t[0]), to_point(t[1]), to_point(t[2])); });
-    if(triangles.empty())
-      add_if([](const Space_triangle&) { return true; });
-    m_tree = Tree(triangles);
-  }
+      m_upper_sides(quads.add_property_map<Face, Space_vector>("f:upper_side").first),
+      m_number_of_searches_before(surface.number_of_searches())
+  { }
+
+  const Surface_locator& surface() const { return m_surface; }
 
   // For the nearest places on the surface, which take most of the time.
-  std::size_t number_of_searches() const { return m_tree.number_of_searches(); }
+  std::size_t number_of_searches() const
+  { return m_surface.number_of_searches() - m_number_of_searches_before; }
 
   // If more than a tenth of the quads are inverted, as in a map that is much distorted:
   // vertices move to the middle of their neighbors, whatever becomes of quads on the way, as long
@@ -113,7 +103,7 @@ public:
       for(int round = 0; round < rounds; ++round)
         for(const Vertex v : vertices(m_quads))
           if(!is_held(v))
-            set_point(v, nearest(middle_of_neighbors(v), point(v)));
+            set_point(v, m_surface.nearest(middle_of_neighbors(v), point(v)));
       const double new_jacobian = shapes().mean_scaled_jacobian;
       if(new_jacobian <= jacobian || area() < least_area) {
         std::copy(points.begin(), points.end(), m_quads.points().begin());
@@ -169,7 +159,7 @@ public:
     while(n < most_parts && m_quads.number_of_faces() * (2 * n) * (2 * n) <= enough_points)
       n *= 2;
     const auto part = [&](const std::size_t i) { return double(i) / double(n); };
-    Tree::Largest_distance result(m_tree);
+    Surface_locator::Largest_distance result = m_surface.largest_distance();
     for(const Vertex v : vertices(m_quads))
       result.add(point(v));
     for(const Face f : faces(m_quads)) {
@@ -237,96 +227,8 @@ public:
     return is_inverted(q) || inner_product(quad_normal(q), m_upper_sides[f]) < 0;
   }
 
-  // The nearest point of the surface.
-  Space_vector nearest(const Space_vector& p) const { return m_tree.nearest(p).point; }
-
-  // A faster search for it, which begins at another point of the surface.
-  Space_vector nearest(const Space_vector& p, const Space_vector& near_by) const
-  { return m_tree.nearest(p, near_by); }
-
-  Face nearest_face(const Space_vector& p) const
-  { return m_searched[m_tree.nearest(p).element]; }
-
-  // The nearest face. If two faces lie on each other and face to opposite sides, because bodies
-  // touch, the one that faces to `side`.
-  Face nearest_face(const Space_vector& p, const Space_vector& side) const
-  { return nearest_face(p, side, distance_of_same_place, cosine_of_opposite_sides); }
-
-  // Also of two farther from each other, such as the sides of a plate that is thin against quads.
-  Face nearest_face(const Space_vector& p, const Space_vector& side, const double distance) const
-  { return nearest_face(p, side, distance, cosine_of_plate); }
-
-  // The area vector, times two, of the triangle that is nearest to the middle of a quad.
-  Space_vector normal_of_surface(const Quad& q) const
-  {
-    std::array<double, 3> middle{};
-    for(const Space_vector& p : q)
-      for(std::size_t c = 0; c < 3; ++c)
-        middle[c] += p[c] / 4;
-    return normal_of_surface(nearest_face(middle, quad_normal(q)));
-  }
-
-  Space_vector normal_of_surface(const Face f) const
-  { return area_vector(triangle_of(m_surface, f)); }
-
-  // The normal of a surface that is a plane, or parallel planes that face to one side; else 0.
-  Space_vector unit_normal_of_plane() const
-  {
-    constexpr double rounding = 1e-9; // the error of a unit normal
-    Space_vector sum{};
-    double size = 0;
-    for(const Face f : faces(m_surface)) {
-      const Space_vector normal = normal_of_surface(f);
-      size += norm(normal);
-      for(std::size_t c = 0; c < 3; ++c)
-        sum[c] += normal[c];
-    }
-    return norm(sum) > (1 - rounding) * size ? scaled_to_one(sum) : Space_vector{};
-  }
-
 private:
-  using Tree = Nearest_place_tree<Space_triangle>;
-
-  // \param largest_cosine of the angle between the normals of the two
-  Face nearest_face(const Space_vector& p, const Space_vector& side, const double distance,
-                    const double largest_cosine) const
-  {
-    const auto place = m_tree.nearest(p);
-    const Face nearest = m_searched[place.element];
-    const Space_vector normal = scaled_to_one(normal_of_surface(nearest));
-    if(inner_product(normal, side) >= 0)
-      return nearest;
-    Space_segment s;
-    for(std::size_t c = 0; c < 3; ++c) {
-      s[0][c] = place.point[c] - distance * normal[c];
-      s[1][c] = place.point[c] + distance * normal[c];
-    }
-    const Kernel::Segment_3 segment(to_point(s[0]), to_point(s[1]));
-    if(segment.is_degenerate()) // far from the origin
-      return nearest;
-    Face result = nearest;
-    double least = std::numeric_limits<double>::infinity();
-    m_tree.visit_near(s, [&](const std::size_t i) {
-      const Space_triangle t = triangle_of(m_surface, m_searched[i]);
-      const Space_vector other = scaled_to_one(area_vector(t));
-      const double cosine = inner_product(other, normal);
-      const Kernel::Triangle_3 triangle(to_point(t[0]), to_point(t[1]), to_point(t[2]));
-      if(!(cosine < largest_cosine && inner_product(other, side) > 0) || triangle.is_degenerate() ||
-         !CGAL::do_intersect(segment, triangle))
-        return;
-      const double along_normal =
-        std::abs(inner_product(vector_to(place.point, t[0]), other) / cosine);
-      if(along_normal < least) {
-        least = along_normal;
-        result = m_searched[i];
-      }
-    });
-    return result;
-  }
-
   static constexpr double well_shaped = 0.3; // as a scaled Jacobian
-  static constexpr double distance_of_same_place = 1e-3; // on a surface of a size near 1
-  static constexpr double cosine_of_opposite_sides = -0.999, cosine_of_plate = -0.1; // of normals
 
   void move(const Vertex v)
   {
@@ -343,7 +245,7 @@ private:
     Space_vector middle = middle_of_neighbors(v);
     for(std::size_t c = 0; c < 3; ++c)
       middle[c] = (old[c] + middle[c]) / 2;
-    set_point(v, nearest(middle, old));
+    set_point(v, m_surface.nearest(middle, old));
     for(std::size_t i = 0; i < m_faces.size(); ++i) {
       const Quad q = quad(m_faces[i]);
       const Space_vector normal = quad_normal(q);
@@ -355,10 +257,9 @@ private:
   }
 
   Mesh& m_quads;
-  const Mesh& m_surface;
+  const Surface_locator& m_surface;
   Mesh::Property_map<Face, Space_vector> m_upper_sides;
-  Tree m_tree;
-  std::vector<Face> m_searched; // of its triangles
+  std::size_t m_number_of_searches_before;
   std::vector<Face> m_faces;           // scratch
   std::vector<Space_vector> m_normals; // scratch: of these faces
 };
