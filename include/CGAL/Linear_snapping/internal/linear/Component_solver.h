@@ -331,9 +331,7 @@ private:
   {
     Component_solution nearest(solution);
     bool found = evaluate_on_grids(m_core.get(), coarsest, nearest);
-    if(!is_whole() && m_may_be_whole &&
-       (!found || nearest.grid.exponent() > solution.grid.exponent() ||
-        is_far(values, solution, nearest))) {
+    if(!is_whole() && m_may_be_whole && (!found || is_far(values, solution, nearest))) {
       if(m_whole == nullptr)
         m_whole = whole_system();
       Component_solution other(solution);
