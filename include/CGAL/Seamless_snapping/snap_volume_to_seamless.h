@@ -206,9 +206,9 @@ orientable, each cell keeps its orientation. A cell is flipped if its orientatio
 differs from the orientation of most cells of its component. A component that is mirrored as a whole
 has no flips.
 
-Cells keep their orientation if a move of one of their vertices allows it. Vertices of more than
-2,000 cells do not move for this. `Snapping_report::lost_faces` lists the cells that had the
-orientation of most cells, and lost it. Cells may be flipped or degenerate in the input.
+Cells keep their orientation if small moves of their vertices allow it.
+`Snapping_report::lost_faces` lists the cells that had the orientation of most cells, and lost it.
+Cells may be flipped or degenerate in the input.
 `repair_flips` decreases the energy of Garanzha et al. \cgalCite{cgal:gkkprs-ffm-21}, vertex by
 vertex.
 

@@ -90,13 +90,10 @@ inline std::vector<std::size_t> nonpositive_cells(const std::vector<Uvw>& u)
 }
 
 // Six times the volume of a cell, in floating point.
-inline double six_times_volume(const Uvw_tetrahedron& u, const double scale = 1)
+inline double six_times_volume(const Uvw_tetrahedron& u)
 {
-  std::array<Uvw, 3> e;
-  for(std::size_t i = 0; i < 3; ++i)
-    for(std::size_t c = 0; c < 3; ++c)
-      e[i][c] = scale * (u[i + 1][c] - u[0][c]);
-  return inner_product(e[0], vector_product(e[1], e[2]));
+  return inner_product(vector_to(u[0], u[1]),
+                       vector_product(vector_to(u[0], u[2]), vector_to(u[0], u[3])));
 }
 
 // The normals of the facets opposite to the four corners, from three edges at the first corner: how

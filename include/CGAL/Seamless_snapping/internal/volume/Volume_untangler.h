@@ -15,8 +15,9 @@
 
 #include <CGAL/license/Seamless_snapping.h>
 
-// Cells of a volume that are not positive become so by exact moves of vertices, one at a time, with
-// all their sectors, within their freedom: transitions, levels, and integers stay as they are.
+// Cells of a volume that are not positive, or not any more after snapping, become positive by exact
+// moves of vertices, one at a time, with all their sectors, within their freedom: transitions,
+// levels, and integers stay as they are.
 
 #include <CGAL/Linear_snapping/internal/exact/Exact_difference.h>
 #include <CGAL/Linear_snapping/internal/exact/Uv.h>
@@ -33,11 +34,41 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Seamless_snapping {
 namespace internal {
+
+enum class Cells_to_untangle
+{
+  LOST,            // those with positive rest shapes; they keep even thin ones
+  ALL,
+  ALL_BY_ALL_MEANS // others may lose their orientation on the way
+};
+
+struct Volume_untangling
+{
+  Cells_to_untangle cells;
+  std::size_t number_of_passes;
+  std::size_t reach;     // layers of cells around these whose vertices move
+  double largest_change = (std::numeric_limits<double>::infinity)(); // against the rest shape
+};
+
+// The cells that are positive in the one map, and not in the other.
+inline std::vector<std::size_t> lost_cells(const std::vector<Uvw>& before,
+                                           const std::vector<Uvw>& after)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t c = 0; c < before.size() / 4; ++c) {
+    const Uvw_tetrahedron u = uvw_of_cell(before, c), v = uvw_of_cell(after, c);
+    if(u != v && orientation(v) != CGAL::POSITIVE && orientation(u) == CGAL::POSITIVE)
+      result.push_back(c);
+  }
+  return result;
+}
 
 // Each move makes the distortion of the star of a vertex less, in which cells without positive
 // volume weigh most: the energy of Garanzha, Kaporin, Kudryavtseva, Protais, Ray, and Sokolov
@@ -51,6 +82,7 @@ class Volume_untangler
 
 public:
   // \param rest the shapes that cells are to keep, per corner, where they are positive
+  // \param coordinates of all corners; vertices of the volume that are fixed keep theirs
   Volume_untangler(const Volume_members& members, const Flat_volume& volume,
                    const std::vector<Uvw>& rest, const Number_format& format,
                    std::vector<Uvw>& coordinates)
@@ -59,44 +91,50 @@ public:
   { }
 
   // Passes over the vertices of cells to repair, and of layers of cells around them, which grow
-  // where that does not help. Returns the number of passes.
-  // \param may_lose whether cells may lose their orientation on the way; none does in the end
-  std::size_t run(const std::size_t largest_number_of_passes, const std::size_t largest_reach,
-                  const bool may_lose)
+  // where that does not help. Returns the number of passes. No cell loses its orientation, and
+  // cells that are to keep their shapes move only if that repairs some.
+  std::size_t run(const Volume_untangling& untangling)
   {
     constexpr std::size_t patience = 8, end_of_patience = 40; // passes without a cell repaired
     const std::vector<Uvw> before = m_coordinates;
-    m_may_lose = may_lose;
+    m_untangling = untangling;
     std::size_t passes = 0, reach = 1, idle = 0;
-    const std::vector<std::size_t> bad_before = nonpositive_cells(m_coordinates);
+    const std::vector<std::size_t> bad_before = bad_cells();
     std::vector<std::size_t> bad = bad_before;
     std::size_t least = bad.size();
-    while(!bad.empty() && passes < largest_number_of_passes) {
+    while(!bad.empty() && passes < untangling.number_of_passes) {
       ++passes;
       Progress::tell_each_second([&] { return counted(bad.size(), "cell") + " to repair"; });
       choose_epsilon(bad);
       bool has_moved = false;
       for(const Member_index m : members_around(bad, reach))
         has_moved = improve(m) || has_moved;
-      bad = nonpositive_cells(m_coordinates);
+      bad = bad_cells();
       idle = bad.size() < least ? 0 : idle + 1;
       least = (std::min)(least, bad.size());
       if(has_moved && idle % patience != patience - 1)
         continue;
-      if(reach >= largest_reach || idle >= end_of_patience)
+      if(reach >= untangling.reach || idle >= end_of_patience)
         break;
       ++reach;
     }
-    if(!std::includes(bad_before.begin(), bad_before.end(), bad.begin(), bad.end()))
+    if(!std::includes(bad_before.begin(), bad_before.end(), bad.begin(), bad.end()) ||
+       (keeps_near() && bad.size() == bad_before.size()))
       m_coordinates = before;
     return passes;
   }
 
 private:
-  bool is_good(const std::size_t c) const
+  std::vector<std::size_t> bad_cells() const
   {
-    return orientation(uvw_of_cell(m_coordinates, c)) == CGAL::POSITIVE;
+    return keeps_near() ? lost_cells(m_rest, m_coordinates) : nonpositive_cells(m_coordinates);
   }
+
+  bool keeps_near() const { return m_untangling.cells == Cells_to_untangle::LOST; }
+
+  static bool is_positive(const Uvw_tetrahedron& u) { return orientation(u) == CGAL::POSITIVE; }
+
+  bool may_lose() const { return m_untangling.cells == Cells_to_untangle::ALL_BY_ALL_MEANS; }
 
   // The more cells are inverted, the more they may weigh without bound.
   void choose_epsilon(const std::vector<std::size_t>& cells)
@@ -116,9 +154,10 @@ private:
     std::vector<Member_index> result;
     const auto add_members = [&](const std::size_t c) {
       for(std::size_t i = 4 * c; i < 4 * c + 4; ++i)
-        if(char& r = is_reached[m_members.member_of_corner(Corner_index(i))]; r == 0) {
-          r = 1;
-          result.push_back(m_members.member_of_corner(Corner_index(i)));
+        if(m_volume.is_fixed[std::size_t(m_volume.vertices[i])] == 0) {
+          const Member_index m = m_members.member_of_corner(Corner_index(i));
+          if(std::exchange(is_reached[m], char(1)) == 0)
+            result.push_back(m);
         }
     };
     for(const std::size_t c : cells)
@@ -153,19 +192,22 @@ private:
       return false;
     const std::vector<Star_cell> star = star_of(m);
     const double epsilon = m_epsilon;
+    const auto [least, largest] = range_of_moves(m);
     Vector z = Vector::Zero();
     double energy = energy_of(star, z, epsilon);
     const double first_energy = energy;
     for(int i = 0; i < 3; ++i) {
       const Vector step = newton_step(star, z, epsilon, dimension);
       double length = 1;
-      for(; length > 1e-4; length /= 2)
-        if(const double next = energy_of(star, z + length * step, epsilon);
-           next < energy && (m_may_lose || keeps_volumes(star, z + length * step))) {
-          z += length * step;
+      for(; length > 1e-4; length /= 2) {
+        const Vector to = (z + length * step).cwiseMax(least).cwiseMin(largest);
+        if(const double next = energy_of(star, to, epsilon);
+           next < energy && (may_lose() || keeps_volumes(star, to))) {
+          z = to;
           energy = next;
           break;
         }
+      }
       if(length <= 1e-4)
         break;
     }
@@ -222,7 +264,8 @@ private:
     constexpr double least_volume = 1e-3; // against the third power of the size
     const Matrix rest = edges(uvw_of_cell(m_rest, c));
     const double size = rest.norm();
-    if(!m_may_lose && rest.determinant() > least_volume * size * size * size)
+    const double least = keeps_near() ? 0 : least_volume;
+    if(!may_lose() && rest.determinant() > least * size * size * size)
       return rest;
     Matrix regular;
     regular << 1, 1, 0,
@@ -301,26 +344,49 @@ private:
   bool has_moved(const Member_index m, const Vector& z)
   {
     return m_members.try_move(m, m_coordinates, [&] { return has_added(m, z); },
-                              [&](const std::size_t c) { return m_may_lose || is_good(c); });
+                              [&](const std::size_t c) {
+                                return may_lose() || is_positive(uvw_of_cell(m_coordinates, c));
+                              });
   }
 
-  // Adds one number, with signs, to all coordinates of an unknown, if all sums are exact. That
+  // Calls f(coordinate, coordinate at rest, unknown of the member, sign).
+  template <typename F>
+  void for_each_coordinate(const Member_index m, const F& f)
+  {
+    m_members.for_each_corner(m, [&](const std::size_t slot, const Corner_index i) {
+      for(std::size_t c = 0; c < 3; ++c)
+        if(const Volume_members::Term t = m_members.term(m, slot, c); t.sign != 0)
+          f(m_coordinates[std::size_t(i)][c], m_rest[std::size_t(i)][c],
+            t.unknown - m_members.first_unknown(m), t.sign);
+    });
+  }
+
+  // The least and the largest move per unknown after which no coordinate has changed too much.
+  std::pair<Vector, Vector> range_of_moves(const Member_index m)
+  {
+    const double infinity = (std::numeric_limits<double>::infinity)();
+    std::pair<Vector, Vector> result(Vector::Constant(-infinity), Vector::Constant(infinity));
+    for_each_coordinate(m, [&](const double u, const double rest, const std::size_t k,
+                               const int sign) {
+      double &least = result.first[Eigen::Index(k)], &largest = result.second[Eigen::Index(k)];
+      const double change = sign * (u - rest);
+      least = (std::max)(least, (std::min)(0., -m_untangling.largest_change - change));
+      largest = (std::min)(largest, (std::max)(0., m_untangling.largest_change - change));
+    });
+    return result;
+  }
+
+  // Adds one number, with signs, to all coordinates of an unknown, if all sums are exact, and near
+  // the rest shape. That
   // number takes one of the coordinates to a grid on which the number type holds all of them.
   bool has_added(const Member_index m, const Vector& z)
   {
     std::array<double, 3> largest{}, shift{};
     std::array<bool, 3> is_known{};
-    const auto for_each_coordinate = [&](const auto& f) {
-      m_members.for_each_corner(m, [&](const std::size_t slot, const Corner_index i) {
-        for(std::size_t c = 0; c < 3; ++c)
-          if(const Volume_members::Term t = m_members.term(m, slot, c); t.sign != 0)
-            f(m_coordinates[std::size_t(i)][c], t.unknown - m_members.first_unknown(m), t.sign);
-      });
-    };
-    for_each_coordinate([&](const double u, const std::size_t k, int) {
+    for_each_coordinate(m, [&](const double u, double, const std::size_t k, int) {
       largest[k] = (std::max)(largest[k], std::abs(u) + std::abs(z[Eigen::Index(k)]));
     });
-    for_each_coordinate([&](const double u, const std::size_t k, const int sign) {
+    for_each_coordinate(m, [&](const double u, double, const std::size_t k, const int sign) {
       if(is_known[k])
         return;
       const Grid grid = Grid::finest(m_format, largest[k]);
@@ -329,10 +395,11 @@ private:
                          u);
     });
     bool is_exact = true;
-    for_each_coordinate([&](double& u, const std::size_t k, const int sign) {
+    for_each_coordinate(m, [&](double& u, const double rest, const std::size_t k, const int sign) {
       const Exact_difference sum(u, -sign * shift[k]);
       is_exact = is_exact && sum.error == 0 &&
-                 Grid::finest(m_format, largest[k]).split(sum.rounded).offset == 0;
+                 Grid::finest(m_format, largest[k]).split(sum.rounded).offset == 0 &&
+                 std::abs(sum.rounded - rest) <= m_untangling.largest_change;
       u = sum.rounded;
     });
     return is_exact;
@@ -343,7 +410,7 @@ private:
   const std::vector<Uvw>& m_rest;
   Number_format m_format;
   std::vector<Uvw>& m_coordinates;
-  bool m_may_lose = false;
+  Volume_untangling m_untangling{};
   double m_epsilon = 1;
 };
 

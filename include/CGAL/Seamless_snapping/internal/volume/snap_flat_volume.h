@@ -24,7 +24,7 @@
 #include <CGAL/Seamless_snapping/internal/volume/Chart_joiner.h>
 #include <CGAL/Seamless_snapping/internal/volume/Volume_check.h>
 #include <CGAL/Seamless_snapping/internal/volume/Place_solver.h>
-#include <CGAL/Seamless_snapping/internal/volume/Volume_repair.h>
+#include <CGAL/Seamless_snapping/internal/volume/Volume_untangler.h>
 #include <CGAL/Seamless_snapping/types/Snapping_report.h>
 
 #include <algorithm>
@@ -113,7 +113,7 @@ public:
                      remedy("scale the map down"));
     m_timer.finish("solution");
 
-    const Largest_change change = repair(structure, solver, snapped);
+    const Largest_change change = repair(constraints, snapped);
     m_timer.finish("orientation");
     if(change.size > largest_plausible_change())
       return collapsed(change);
@@ -170,25 +170,31 @@ private:
               term(", or, for facets of the boundary, pass align_boundary(false)"), {}};
   }
 
-  Largest_change repair(const Volume_structure& structure, const Place_solver& solver,
-                        std::vector<Uvw>& snapped)
+  // Cells that the closest exact solution turns over, or makes degenerate, get their orientation
+  // back if moves of their vertices help, as near by as possible.
+  Largest_change repair(const Volume_constraints& constraints, std::vector<Uvw>& snapped)
   {
-    Volume_repair repair(m_volume, structure, solver, snapped);
-    std::vector<std::size_t> lost = repair.lost_cells();
+    constexpr std::size_t largest_number_of_passes = 100, reach = 1;
+    std::vector<std::size_t> lost = lost_cells(m_volume.coordinates, snapped);
     m_report.run.number_of_lost_faces = lost.size();
     Largest_change change = largest_change(snapped);
     m_report.run.largest_change_before_repair = change.size;
-    for(const double largest : {usual_change(), largest_plausible_change()})
-      if(!lost.empty()) {
-        repair.run(lost, largest);
-        lost = repair.lost_cells();
-        change = largest_change(snapped);
-      }
+    if(lost.empty())
+      return change;
+    // in the charts of the input, where all members have coordinates of their own
+    const Volume_structure structure(Sector_builder(m_volume, constraints).build(),
+                                     Volume_charts(m_volume.number_of_cells()));
+    Volume_untangler untangler(structure.members, m_volume, m_volume.coordinates, m_format,
+                               snapped);
+    for(const double largest : {change.size, usual_change(), largest_plausible_change()}) {
+      untangler.run({Cells_to_untangle::LOST, largest_number_of_passes, reach, largest});
+      lost = lost_cells(m_volume.coordinates, snapped);
+    }
     m_report.run.number_of_faces_repaired_by_moves =
       m_report.run.number_of_lost_faces - lost.size();
     for(const std::size_t c : lost)
       m_report.lost_faces.push_back(std::size_t(m_volume.cell_names[c]));
-    return change;
+    return largest_change(snapped);
   }
 
   Largest_change largest_change(const std::vector<Uvw>& snapped) const

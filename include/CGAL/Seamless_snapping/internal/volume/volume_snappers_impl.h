@@ -129,10 +129,11 @@ private:
     constexpr std::size_t reach_near_by = 2;
     Volume_untangler untangler(structure.members, m_volume, input, m_format, u);
     std::size_t& passes = m_report.run.number_of_untangling_iterations;
-    passes = untangler.run(m_options.number_of_untangling_iterations, reach_near_by, false);
+    const std::size_t most_passes = m_options.number_of_untangling_iterations;
+    passes = untangler.run({Cells_to_untangle::ALL, most_passes, reach_near_by});
     if(m_options.flip_repair == Flip_repair::UNTANGLE)
-      passes += untangler.run(m_options.number_of_untangling_iterations - passes,
-                              (std::numeric_limits<std::size_t>::max)(), true);
+      passes += untangler.run({Cells_to_untangle::ALL_BY_ALL_MEANS, most_passes - passes,
+                               (std::numeric_limits<std::size_t>::max)()});
     m_timer.finish("orientation");
     if(m_options.rounds ? !is_on_integers(m_volume, constraints, u)
                         : !is_exact(m_volume, constraints, u))
