@@ -302,8 +302,7 @@ private:
     m_answers.col(b) += f * m_answers.col(a);
   }
 
-  // Within what differences that depend on this coefficient only allow. Returns false if all are
-  // chosen.
+  // Returns false if all are chosen.
   bool choose_cheapest()
   {
     std::size_t best = m_basis.size();
@@ -320,31 +319,8 @@ private:
     }
     if(best == m_basis.size())
       return false;
-    const auto [least, largest] = range(best);
-    std::int64_t x = std::int64_t(std::llround(m_optimum[Eigen::Index(best)]));
-    x = (std::min)((std::max)(x, least), (std::max)(least, largest));
-    choose(best, x);
+    choose(best, std::llround(m_optimum[Eigen::Index(best)]));
     return true;
-  }
-
-  std::pair<std::int64_t, std::int64_t> range(const std::size_t k) const
-  {
-    constexpr std::int64_t infinity = (std::numeric_limits<std::int64_t>::max)() / 2;
-    std::pair<std::int64_t, std::int64_t> result{-infinity, infinity};
-    for(std::size_t i = 0; i < m_values.size(); ++i) {
-      const std::int64_t a = m_images[i][k];
-      if(a == 0)
-        continue;
-      bool is_last = true;
-      for(std::size_t l = 0; l < m_basis.size() && is_last; ++l)
-        is_last = l == k || m_images[i][l] == 0;
-      const double bound = static_cast<double>(1 - m_values[i]) / static_cast<double>(a);
-      if(is_last && a > 0)
-        result.first = (std::max)(result.first, std::int64_t(std::ceil(bound)));
-      else if(is_last)
-        result.second = (std::min)(result.second, std::int64_t(std::floor(bound)));
-    }
-    return result;
   }
 
   void choose(const std::size_t k, const std::int64_t x)
