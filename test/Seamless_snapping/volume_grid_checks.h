@@ -371,8 +371,8 @@ inline void test_repairs_of_flips()
 inline void test_grids_with_flips()
 {
   std::size_t number_of_refusals = 0;
-  const bool all = test_data::are_tests_long(); // a quarter of the seeds has all refusals
-  for(unsigned int seed = all ? 1 : 25; seed <= (all ? 40 : 34); ++seed) {
+  const bool all = test_data::are_tests_long(); // of all seeds, the sixth alone has a refusal
+  for(unsigned int seed = 1; seed <= (all ? 40u : 10u); ++seed) {
     Tet_map map = volume_generator::Tetrahedra_builder(volume_generator::quadrants(3, 1),
                                                        Charts::BLOCKS, seed).build();
     const std::string name = "grid with flips, seed " + std::to_string(seed);
