@@ -377,8 +377,8 @@ private:
   }
 
   // Adds one number, with signs, to all coordinates of an unknown, if all sums are exact, and near
-  // the rest shape. That
-  // number takes one of the coordinates to a grid on which the number type holds all of them.
+  // the rest shape. That number takes one of the coordinates to a grid on which the number type
+  // holds all of them.
   bool has_added(const Member_index m, const Vector& z)
   {
     std::array<double, 3> largest{}, shift{};
