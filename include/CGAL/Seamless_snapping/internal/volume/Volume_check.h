@@ -296,12 +296,12 @@ inline void measure_singular_edges(const Flat_volume& volume, const Volume_trans
   const std::vector<Grid_edge> edges = Grid_edge_finder(volume, transitions).find();
   measure.number_of_singular_edges = edges.size();
   for(const Grid_edge& edge : edges) {
-    const int direction = direction_of(volume, edge.edge);
-    const double distance = line_distance(edge.edge, direction, volume.coordinates);
     measure.number_of_noninteger_singular_edges +=
-      std::size_t(edge.is_skew || distance != 0 || !is_on_line(volume, edge.edge, direction));
+      std::size_t(edge.is_skew || !is_on_grid_line(volume, edge.edge));
     if(!edge.is_skew)
-      measure.alignment_distance = (std::max)(measure.alignment_distance, distance);
+      measure.alignment_distance =
+        (std::max)(measure.alignment_distance,
+                   line_distance(edge.edge, direction_of(volume, edge.edge), volume.coordinates));
   }
   std::map<std::int32_t, bool> is_off; // the grid, per vertex that is a node
   for(const Corner_index corner : corners_of_nodes(volume, edges)) {
@@ -319,9 +319,9 @@ inline void measure_orientations(const Flat_volume& volume, Volume_integer_grid_
   using Number = CGAL::internal::Exact_ring_selector<double>::Type;
   Number six_volumes(0);
   for(std::size_t c = 0; c < volume.number_of_cells(); ++c) {
-    const Uvw_tetrahedron u = uvw_of_cell(volume.coordinates, c);
-    six_volumes += exact_determinant<Number>(u);
-    measure.number_of_nonpositive_cells += std::size_t(orientation(u) != CGAL::POSITIVE);
+    const Number six = exact_determinant<Number>(uvw_of_cell(volume.coordinates, c));
+    six_volumes += six;
+    measure.number_of_nonpositive_cells += std::size_t(!CGAL::is_positive(six));
   }
   measure.volume = CGAL::to_double(six_volumes) / 6;
 }

@@ -187,6 +187,8 @@ private:
     Volume_untangler untangler(structure.members, m_volume, m_volume.coordinates, m_format,
                                snapped);
     for(const double largest : {change.size, usual_change(), largest_plausible_change()}) {
+      if(lost.empty())
+        break;
       untangler.run({Cells_to_untangle::LOST, largest_number_of_passes, reach, largest});
       lost = lost_cells(m_volume.coordinates, snapped);
     }
