@@ -117,13 +117,13 @@ private:
   {
     const auto place = m_tree.nearest(p);
     const Face nearest = m_searched[place.element];
-    const Space_vector normal = scaled_to_one(this->normal(nearest));
-    if(inner_product(normal, side) >= 0)
+    const Space_vector upward = scaled_to_one(normal(nearest));
+    if(inner_product(upward, side) >= 0)
       return nearest;
     Space_segment s;
     for(std::size_t c = 0; c < 3; ++c) {
-      s[0][c] = place.point[c] - distance * normal[c];
-      s[1][c] = place.point[c] + distance * normal[c];
+      s[0][c] = place.point[c] - distance * upward[c];
+      s[1][c] = place.point[c] + distance * upward[c];
     }
     const Kernel::Segment_3 segment(to_point(s[0]), to_point(s[1]));
     if(segment.is_degenerate()) // far from the origin
@@ -133,7 +133,7 @@ private:
     m_tree.visit_near(s, [&](const std::size_t i) {
       const Space_triangle t = triangle_of(m_surface, m_searched[i]);
       const Space_vector other = scaled_to_one(area_vector(t));
-      const double cosine = inner_product(other, normal);
+      const double cosine = inner_product(other, upward);
       const Kernel::Triangle_3 triangle(to_point(t[0]), to_point(t[1]), to_point(t[2]));
       if(!(cosine < largest_cosine && inner_product(other, side) > 0) || triangle.is_degenerate() ||
          !CGAL::do_intersect(segment, triangle))

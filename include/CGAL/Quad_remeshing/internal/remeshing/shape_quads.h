@@ -269,8 +269,8 @@ private:
   Space_vector place(const Space_vector& from, const Space_vector& displacement) const
   {
     if(m_lines_at_vertex.empty())
-      return m_smoother.surface().nearest({from[0] + displacement[0], from[1] + displacement[1],
-                                 from[2] + displacement[2]}, from);
+      return m_smoother.surface().nearest(
+        {from[0] + displacement[0], from[1] + displacement[1], from[2] + displacement[2]}, from);
     for(const Halfedge h : m_lines_at_vertex) {
       const Space_vector d = vector_to(from, m_smoother.point(m_quads.source(h)));
       const double length = norm(d), along = inner_product(d, displacement) / length;
