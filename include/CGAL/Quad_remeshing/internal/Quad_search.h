@@ -1,0 +1,350 @@
+// Copyright (c) 2026
+// The Seamless_snapping authors.
+//
+// This file is part of the Quad_remeshing package, written to become part of CGAL
+// (www.cgal.org).
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Seamless_snapping authors
+
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_QUAD_SEARCH_H
+#define CGAL_QUAD_REMESHING_INTERNAL_QUAD_SEARCH_H
+
+#include <CGAL/license/Quad_remeshing.h>
+
+// The search for quads: which surfaces and numbers are tried, and which result is the best one.
+
+#include <CGAL/Linear_snapping/internal/support/Progress.h>
+#include <CGAL/Quad_remeshing/internal/Quad_remesher.h>
+#include <CGAL/Quad_remeshing/internal/has_too_many_quads.h>
+
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quad_remeshing {
+namespace internal {
+
+// What the best result lacks tells which moves are tried, in the order of their table. A move makes
+// a candidate, of which quads are made as long as features are released near what is bad.
+class Quad_search
+  : private Remeshing_types
+{
+  enum class Room { NONE, IN_LONG_TRIANGLES, IN_ALL_TRIANGLES }; // by dividing these
+
+  struct Move
+  {
+    const char* choice;                // in words
+    bool (Quad_search::*mends)() const; // whether the best result asks for it
+    Room room;
+    bool has_straight_border;
+    std::optional<double> part; // of the way to the largest number of quads; else as many as wanted
+    bool (Quad_search::*may_take)(const Remeshing_report&) const; // even if it is better
+  };
+
+  static constexpr std::array<Move, 8> moves()
+  {
+    using S = Quad_search;
+    const Room room = Room::IN_LONG_TRIANGLES;
+    return {{
+      {"room in long triangles", &S::is_missing, room, true, {}, &S::is_any},
+      {"room in all triangles", &S::has_flaws, Room::IN_ALL_TRIANGLES, true, {}, &S::is_any},
+      {"the border as it is", &S::has_flaws_at_border, room, false, {}, &S::has_hardly_more_quads},
+      {"the best of several maps", &S::is_coarse_and_bad, room, true, 0., &S::has_fewer_bad},
+      {"some more quads", &S::has_few_and_bad, room, true, 0.3, &S::has_none_bad},
+      {"more quads", &S::has_few_and_bad, room, true, 0.6, &S::has_none_bad},
+      {"nearly as many quads as may be", &S::has_few_and_bad, room, true, 1., &S::has_none_bad},
+      {"the input as it is", &S::has_no_quads, Room::NONE, false, {}, &S::is_any}
+    }};
+  }
+
+  // A surface to make quads of, and how.
+  struct Candidate
+  {
+    Candidate(const Marked_surface& input, const std::optional<Mirror>& mirror,
+              const Remeshing_options& wanted)
+      : surface(input, mirror), options(wanted)
+    { }
+
+    Surface_to_remesh surface; // features are released
+    Remeshing_options options;
+    std::optional<Surface_locator> locator; // made once it is needed
+    Remeshing_report result;                // the latest one; and edges that are released since
+    std::vector<Point> flaws;               // of the result
+    int releases_for_shape = 0;             // where no quad was bad
+    double radius = 1;                      // edges of quads; features so near are released next
+  };
+
+public:
+  Quad_search(const Marked_surface& input, const std::optional<Mirror>& mirror,
+              const Remeshing_options& options, Mesh& quads, const Feature_map& is_feature)
+    : m_input(input), m_mirror(mirror), m_options(options), m_quads(quads),
+      m_is_feature(is_feature)
+  { }
+
+  Remeshing_report run()
+  {
+    for(const Move& move : moves())
+      if((this->*move.mends)())
+        run(move);
+    if(m_is_spent || !work().is_left())
+      add_note(*m_best, words_for_spent_work);
+    return *m_best;
+  }
+
+private:
+  const Work& work() const { return *m_options.quantization.work; }
+
+  bool is_missing() const { return !m_best; }
+
+  bool has_flaws() const
+  {
+    constexpr double good_shape = 0.95; // a mean scaled Jacobian
+    return work().is_mostly_left() &&
+           (!*m_best || m_best->number_of_released_edges > 0 ||
+            m_best->number_of_bad_quads() > 0 || m_best->number_of_displaced_vertices > 0 ||
+            m_best->mean_scaled_jacobian < good_shape);
+  }
+
+  bool has_flaws_at_border() const
+  {
+    return work().is_mostly_left() && *m_best && m_best->number_of_corners_left_out > 0 &&
+           (m_best->number_of_bad_quads() > 0 || m_best->number_of_displaced_vertices > 0 ||
+            m_best->mean_scaled_jacobian < fair_shape);
+  }
+
+  // More quads may have room around cones and between features.
+  bool has_few_and_bad() const
+  {
+    constexpr std::size_t few = 2000; // quads in all
+    return work().is_left() && *m_best && m_best->number_of_bad_quads() > 0 &&
+           m_best->number_of_quads <= few;
+  }
+
+  // For few quads, the map is chosen by their shape; for as few as can be, by their number.
+  bool is_coarse_and_bad() const
+  { return m_options.quantization.is_coarsest && has_few_and_bad(); }
+
+  bool has_no_quads() const { return work().is_left() && !*m_best && m_is_changed; }
+
+  bool is_any(const Remeshing_report&) const { return true; }
+
+  bool has_hardly_more_quads(const Remeshing_report& r) const
+  { return double(r.number_of_quads) <= 1.2 * double(m_best->number_of_quads); }
+
+  bool has_none_bad(const Remeshing_report& r) const
+  { return r && r.number_of_bad_quads() == 0; }
+
+  bool has_fewer_bad(const Remeshing_report& r) const
+  { return r && r.number_of_bad_quads() < m_best->number_of_bad_quads(); }
+
+  void run(const Move& move)
+  {
+    Candidate candidate(m_input, m_mirror, m_options);
+    const bool is_divided = move.room != Room::NONE &&
+                            candidate.surface.refine(move.room == Room::IN_LONG_TRIANGLES);
+    const std::size_t number_of_faces = candidate.surface.mesh().number_of_faces();
+    if(move.room == Room::IN_ALL_TRIANGLES && number_of_faces <= m_number_of_faces)
+      return;
+    if(move.part) {
+      if(!m_fewest)
+        m_fewest = m_best;
+      candidate.options.quantization.is_coarsest = false;
+      candidate.options.quantization.number_of_quads = number_of_quads(*move.part);
+    }
+    if(move.has_straight_border)
+      candidate.surface.straighten_border(border_tolerance(candidate));
+    if(!m_best) {
+      m_number_of_faces = number_of_faces;
+      m_length_of_features = candidate.surface.length_of_features();
+      m_is_changed = is_divided || candidate.surface.number_of_corners_left_out() > 0;
+    } else
+      Progress::tell([&] { return std::string("again, with ") + move.choice; });
+    const double work_before = work().left();
+    make(candidate, move);
+    const double work_of_attempt = work_before - work().left();
+    while(is_to_release(candidate.result, candidate.releases_for_shape) &&
+          is_to_release(*m_best, candidate.releases_for_shape) && release_features(candidate)) {
+      if(work().left() < work_of_attempt / 4) {
+        m_is_spent = true;
+        return;
+      }
+      candidate.releases_for_shape += m_best->number_of_bad_quads() == 0;
+      make(candidate, move);
+    }
+  }
+
+  // A part of the way from the fewest quads to nearly the largest number that is a success, or to
+  // twice the fewest quads if these are more. No part: as few as can be.
+  double number_of_quads(const double part) const
+  {
+    constexpr double nearly = 0.95; // of a number: quantizations may have some more quads
+    if(part == 0)
+      return 1;
+    const double fewest = double(m_fewest->number_of_quads);
+    double largest = 2 * fewest;
+    if(!m_options.quantization.is_coarsest) {
+      const double of_success = largest_number_of_quads(
+        m_input.mesh, m_options.quantization.number_of_quads, m_fewest->number_of_forced_quads);
+      if(fewest < nearly * of_success)
+        largest = of_success;
+    }
+    return fewest + part * (nearly * largest - fewest);
+  }
+
+  // By default, half of an edge of the quads, where these are to be of one size.
+  static double border_tolerance(const Candidate& candidate)
+  {
+    const Surface_to_remesh& surface = candidate.surface;
+    const double number = candidate.options.number_wanted() / (surface.mirror() ? 2 : 1);
+    const double length = number > 0 && !surface.has_sizes_that_vary()
+      ? surface.unscaled(std::sqrt(area_in_squares(surface) / number)) : 0;
+    return candidate.options.border_tolerance.value_or(length / 2);
+  }
+
+  // Quads of the candidate, which take the place of the best ones if they are better. The steps of
+  // both are reported, in their order.
+  void make(Candidate& candidate, const Move& move)
+  {
+    Mesh quads;
+    const auto is_feature = quads.add_property_map<Edge, bool>("e:is_feature", false).first;
+    Quad_remesher remesher(candidate.surface, candidate.locator, candidate.options, quads,
+                           is_feature);
+    remesher.run();
+    Remeshing_report result = remesher.report();
+    result.number_of_released_edges += candidate.result.number_of_released_edges;
+    result.length_of_released_edges += candidate.result.length_of_released_edges;
+    result.number_of_corners_left_out = candidate.surface.number_of_corners_left_out();
+    candidate.result = result;
+    candidate.flaws = remesher.places_of_flaws();
+    if(m_best)
+      result.step_times.insert(result.step_times.begin(), m_best->step_times.begin(),
+                               m_best->step_times.end());
+    if(m_best && !((this->*move.may_take)(result) && badness(result) < badness(*m_best))) {
+      m_best->step_times = std::move(result.step_times);
+      return;
+    }
+    take(quads, is_feature);
+    m_best = std::move(result);
+    if(move.part) {
+      m_best->message = m_fewest->message; // which tells why there are so many
+      add_note(*m_best, std::to_string(m_fewest->number_of_quads) + " quads were found, too, " +
+                        std::to_string(m_fewest->number_of_bad_quads()) +
+                        " of them inverted or folded");
+    }
+  }
+
+  void take(const Mesh& quads, const Feature_map& is_feature)
+  {
+    m_quads.clear_without_removing_property_maps();
+    const auto write = [&](const auto& halfedges) {
+      m_is_feature[m_quads.edge(halfedges.second)] = is_feature[quads.edge(halfedges.first)];
+    };
+    CGAL::copy_face_graph(quads, m_quads,
+                          CGAL::parameters::halfedge_to_halfedge_output_iterator(
+                            boost::make_function_output_iterator(write)));
+  }
+
+  // Few bad quads come first; then quads near rectangles, of the wanted size, along all features.
+  // If there are to be as few as can be, their number counts, too.
+  std::tuple<bool, std::size_t, double> badness(const Remeshing_report& r) const
+  {
+    const double released =
+      m_length_of_features > 0 ? r.length_of_released_edges / m_length_of_features : 0;
+    const double deviation = std::clamp(r.median_size_deviation.value_or(0), good_deviation,
+                                        forced_deviation);
+    const double number = m_options.quantization.is_coarsest
+      ? double(r.number_of_quads) / double(m_best->number_of_quads) : 0;
+    return {!r, r.number_of_bad_quads(),
+            (released + deviation) / 2 - r.mean_scaled_jacobian + number};
+  }
+
+  // Whether quads may be better without features at its flaws. Where more quads than wanted are
+  // forced, they have less room for their shape.
+  // \param releases_for_shape how often features were released although no quad was bad
+  bool is_to_release(const Remeshing_report& r, const int releases_for_shape) const
+  {
+    constexpr double forced_shape = 0.8; // a mean scaled Jacobian where more are forced
+    const bool is_forced = m_options.quantization.is_coarsest ||
+      double(r.number_of_quads) >= 1.1 * m_options.quantization.number_of_quads;
+    const bool is_distorted = r.mean_scaled_jacobian < (is_forced ? forced_shape : fair_shape) &&
+                              releases_for_shape == 0;
+    const bool has_other_sizes = r.median_size_deviation.value_or(0) > good_deviation &&
+                                 releases_for_shape < 2 && !is_forced;
+    return r && (r.number_of_bad_quads() > 0 || is_distorted || has_other_sizes);
+  }
+
+  // Near the flaws of the result, in a circle that grows until there are features in it. Returns
+  // whether there are any.
+  static bool release_features(Candidate& candidate)
+  {
+    constexpr double largest_radius = 8; // edges of quads
+    Surface_to_remesh& surface = candidate.surface;
+    const Mesh& mesh = surface.mesh();
+    Remeshing_report& result = candidate.result;
+    const double length = std::sqrt(area_in_squares(mesh, 1, CGAL::parameters::default_values()) /
+                                    double(result.number_of_quads));
+    const std::size_t before = result.number_of_released_edges;
+    for(; candidate.radius <= largest_radius && result.number_of_released_edges == before;
+        candidate.radius *= 2) {
+      const double radius = candidate.radius * length;
+      for(const Edge e : mesh.edges()) {
+        const Halfedge h = mesh.halfedge(e);
+        const Kernel::Segment_3 s(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
+        if(surface.is_feature()[e] &&
+           std::any_of(candidate.flaws.begin(), candidate.flaws.end(), [&](const Point& p)
+                       { return CGAL::squared_distance(p, s) < radius * radius; })) {
+          surface.is_feature()[e] = false;
+          ++result.number_of_released_edges;
+          result.length_of_released_edges += surface.unscaled(surface.length(h));
+        }
+      }
+    }
+    const std::size_t number = result.number_of_released_edges - before;
+    if(number > 0)
+      Progress::tell([&] {
+        return counted(candidate.flaws.size() / 4, result.number_of_bad_quads() > 0
+                                                     ? "folded or inverted quad" : "thin quad") +
+               "; again without " + counted(number, "feature edge") + " near by";
+      });
+    return number > 0;
+  }
+
+  static constexpr double fair_shape = 0.9; // a mean scaled Jacobian
+  // By which the median edge differs from its wanted length: less matters less than shape, and more
+  // than the second one is forced, as where very few quads are wanted.
+  static constexpr double good_deviation = 0.5, forced_deviation = 1.5; // parts of the wanted edge
+
+  const Marked_surface& m_input;
+  const std::optional<Mirror>& m_mirror;
+  const Remeshing_options& m_options;
+  Mesh& m_quads;
+  Feature_map m_is_feature;
+  std::optional<Remeshing_report> m_best;
+  std::optional<Remeshing_report> m_fewest; // before more quads than wanted are tried
+  double m_length_of_features = 0;   // of the first surface, before any are released
+  std::size_t m_number_of_faces = 0; // of the first surface
+  bool m_is_changed = false; // the first surface is not the input as it is
+  bool m_is_spent = false;   // the work, before all features could be released
+};
+
+} // namespace internal
+} // namespace Quad_remeshing
+} // namespace CGAL
+
+#endif // CGAL_QUAD_REMESHING_INTERNAL_QUAD_SEARCH_H
