@@ -93,9 +93,6 @@ public:
 
   const std::vector<Face>& faces() const { return m_faces; }
 
-  // Quads face from here on as the surface does beside them now.
-  void forget_normals() { m_normals_of_surface.clear(); }
-
   // The face is to be neither inverted nor upside down any more.
   void has_to_be_mended(const Face f) { m_was_bad[index(f)] = false; }
 

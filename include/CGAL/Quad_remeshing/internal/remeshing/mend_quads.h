@@ -130,8 +130,8 @@ private:
       longest = (std::max)(longest, norm(vector_to(q[k], q[(k + 1) % 4])));
     m_star.has_to_be_mended(f);
     // as far as a long edge reaches only where less does not help
-    if(!improve_within(f, (std::min)(longest, m_edge_length)) && longest > m_edge_length)
-      improve_within(f, longest);
+    if(!improve_within((std::min)(longest, m_edge_length)) && longest > m_edge_length)
+      improve_within(longest);
   }
 
   // The vertices of a quad, and of the quads around it up to a number of rings.
@@ -159,24 +159,13 @@ private:
     note_displacements(Freedom::SURFACE);
   }
 
-  bool improve_within(const Face f, const double size)
+  bool improve_within(const double size)
   {
     for(const double part : {1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5})
-      if(can_turn_over(f, part * size))
-        for(const Freedom freedom : {Freedom::SURFACE_INSIDE, Freedom::SURFACE, Freedom::SPACE})
-          if(improve(part * size, freedom))
-            return true;
+      for(const Freedom freedom : {Freedom::SURFACE_INSIDE, Freedom::SURFACE, Freedom::SPACE})
+        if(improve(part * size, freedom))
+          return true;
     return false;
-  }
-
-  // Whether moves of the corners by a radius can bring a quad to the side where it is to face: the
-  // vector product of its diagonals changes by their products with the moves.
-  bool can_turn_over(const Face f, const double radius) const
-  {
-    const Quad q = m_smoother.quad(f);
-    const double by_diagonals = norm(vector_to(q[0], q[2])) + norm(vector_to(q[1], q[3]));
-    return -inner_product(quad_normal(q), m_smoother.upper_sides()[f]) <=
-           2 * radius * (by_diagonals + 2 * radius) * norm(m_smoother.upper_sides()[f]);
   }
 
   void add_vertices(const Face f)

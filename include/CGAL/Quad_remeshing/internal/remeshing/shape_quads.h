@@ -104,7 +104,6 @@ public:
   void shape_thin_quads()
   {
     m_corners = Corners::THIN;
-    m_star.forget_normals();
     m_last_move.assign(m_quads.num_vertices(), 0);
     m_last_try = m_last_move;
     for(std::size_t round = 0; round < most_rounds_of_thin; ++round) {
