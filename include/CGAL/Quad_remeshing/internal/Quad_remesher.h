@@ -165,8 +165,7 @@ private:
                   "the quads of one half meet their mirror images twice; ask for more quads");
   }
 
-  // Takes the quantization whose quads are best before they are mended: all are shaped roughly, and
-  // the best two as usual.
+  // Takes the quantization whose quads are best in a rough shape, before they are mended.
   bool make_best_quads()
   {
     add_larger_numbers();
@@ -175,11 +174,16 @@ private:
     const std::size_t fewest = m_choices.front().quantization.number_of_quads;
     m_least_number = (std::max)(double(fewest), m_run.options.quantization.number_of_quads);
     const Surface_samples samples(m_run.mesh(), number_of_samples);
-    keep_best_choices(samples, 2, [&](Quad_shaper& shaper, Quad_smoother& smoother)
-                                  { shape(shaper, smoother, rounds_to_choose); });
-    keep_best_choices(samples, 1, [&](Quad_shaper& shaper, Quad_smoother& smoother)
-                                  { shape_and_improve(shaper, smoother); });
-    m_run.set_state(m_choices.front());
+    const State* best = &m_choices.front();
+    double least = std::numeric_limits<double>::infinity();
+    for(const State& choice : m_choices)
+      shape_roughly(choice, [&](const Quad_smoother& smoother) {
+        if(const double now = badness(smoother, samples); now < least) {
+          least = now;
+          best = &choice;
+        }
+      });
+    m_run.set_state(*best);
     m_quads.clear_without_removing_property_maps();
     if(!make_quads())
       return false;
@@ -195,23 +199,6 @@ private:
     return true;
   }
 
-  // So many, by the quads that `move(shaper, smoother)` gives their shape.
-  template <typename Move>
-  void keep_best_choices(const Surface_samples& samples, const std::size_t number,
-                         const Move& move)
-  {
-    std::vector<std::pair<double, std::size_t> > order;
-    for(std::size_t i = 0; i < m_choices.size(); ++i)
-      shape_choice(m_choices[i], move, [&](const Quad_smoother& smoother)
-                                       { order.emplace_back(badness(smoother, samples), i); });
-    std::sort(order.begin(), order.end());
-    std::vector<State> best;
-    for(std::size_t k = 0; k < number && k < order.size(); ++k)
-      best.push_back(std::move(m_choices[order[k].second]));
-    if(!best.empty())
-      m_choices = std::move(best);
-  }
-
   // Less for quads that are nearer to rectangles and to the surface, and for fewer ones.
   double badness(const Quad_smoother& smoother, const Surface_samples& samples) const
   {
@@ -225,9 +212,9 @@ private:
            0.3 * double(m_quads.number_of_faces()) / m_least_number;
   }
 
-  // Gives the quads of a choice a shape by `move(shaper, smoother)`, and calls `measure(smoother)`.
-  template <typename Move, typename Measure>
-  void shape_choice(const State& choice, const Move& move, const Measure& measure)
+  // Calls measure(smoother) for the quads of a choice.
+  template <typename Measure>
+  void shape_roughly(const State& choice, const Measure& measure)
   {
     m_run.set_state(choice);
     m_quads.clear_without_removing_property_maps();
@@ -237,7 +224,7 @@ private:
     Quad_smoother smoother(m_quads, locator());
     const Feature_lines lines(m_run.surface);
     Quad_shaper shaper(m_quads, m_is_feature, m_run.mesh(), lines, smoother);
-    move(shaper, smoother);
+    shape(shaper, smoother, rounds_to_choose);
     measure(smoother);
     m_run.work.spend(work_of(smoother));
     m_run.timer.finish("smoothing");
@@ -253,11 +240,8 @@ private:
     if(m_choices.empty())
       return;
     const State first = m_choices.front();
-    shape_choice(first,
-                 [&](Quad_shaper& shaper, Quad_smoother& smoother)
-                 { shape(shaper, smoother, rounds_to_choose); },
-                 [&](const Quad_smoother& smoother)
-                 { m_jacobian_of_fewest = smoother.shapes().mean_scaled_jacobian; });
+    shape_roughly(first, [&](const Quad_smoother& smoother)
+                         { m_jacobian_of_fewest = smoother.shapes().mean_scaled_jacobian; });
     const bool is_good = m_jacobian_of_fewest >= good_shape;
     Quantization_options options = m_run.options.quantization;
     options.maximum_feature_loss = 0; // the features that it lets go are released already
