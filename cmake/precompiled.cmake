@@ -54,19 +54,12 @@ function(seamless_snapping_use_precompiled target)
 endfunction()
 
 # What only a few programs share.
-set(parts "")
-if(SEAMLESS_SNAPPING_WITH_SEAMLESS_SNAPPING)
-  set(parts symmetries)
-endif()
 if(SEAMLESS_SNAPPING_WITH_QUAD_REMESHING)
-  list(APPEND parts remeshing)
+  add_library(seamless_snapping_remeshing OBJECT
+    "${PROJECT_SOURCE_DIR}/cmake/precompiled/remeshing.cpp")
+  seamless_snapping_options(seamless_snapping_remeshing)
+  seamless_snapping_use_precompiled(seamless_snapping_remeshing)
 endif()
-foreach(part IN LISTS parts)
-  add_library(seamless_snapping_${part} OBJECT
-    "${PROJECT_SOURCE_DIR}/cmake/precompiled/${part}.cpp")
-  seamless_snapping_options(seamless_snapping_${part})
-  seamless_snapping_use_precompiled(seamless_snapping_${part})
-endforeach()
 
 # For sources of a target that share such parts. They include their headers, which would take time
 # in all others; as these have to follow the precompiled headers, no option of the compiler includes

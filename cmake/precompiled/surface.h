@@ -58,8 +58,7 @@ using Surface_without_indices = SS::internal::Uv_surface<Mesh, Uv_map, SS::inter
 #define SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, GROUP, SURFACE)                             \
   PREFIX template class internal::Transition_reader<GROUP, SURFACE>;                               \
   PREFIX template class internal::Cut_complex_reader<GROUP, SURFACE>;                              \
-  PREFIX template Snapping_report internal::Surface_snapper<GROUP, SURFACE, false>::run();         \
-  PREFIX template Snapping_report internal::Surface_snapper<GROUP, SURFACE, true>::run();
+  PREFIX template Snapping_report internal::Surface_snapper<GROUP, SURFACE>::run();
 
 #define SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, PARAMETERS)                                   \
   PREFIX template bool is_seamless(const seamless_snapping_precompiled::Mesh&,                     \
@@ -73,6 +72,8 @@ using Surface_without_indices = SS::internal::Uv_surface<Mesh, Uv_map, SS::inter
   SEAMLESS_SNAPPING_INSTANTIATE_SURVEY(PREFIX, seamless_snapping_precompiled::Surface)             \
   SEAMLESS_SNAPPING_INSTANTIATE_SURVEY(PREFIX, internal::Flat_surface)                             \
   SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, internal::Quarter_turns,                          \
+                                         seamless_snapping_precompiled::Surface)                   \
+  SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, internal::Rotation_group<6>,                      \
                                          seamless_snapping_precompiled::Surface)                   \
   SEAMLESS_SNAPPING_INSTANTIATE_SNAPPERS(PREFIX, internal::Quarter_turns, internal::Flat_surface)  \
   SEAMLESS_SNAPPING_INSTANTIATE_CHECKS(PREFIX, seamless_snapping_precompiled::Plain)               \

@@ -86,7 +86,7 @@ inline std::optional<Chart_mesh> moved_from_origin(const Chart_mesh& mesh,
     if(mesh.represents_edge(h) && is_on_isocurve(mesh, h) &&
        (mesh.is_border_edge(h) || (!is_feature.empty() && is_feature[std::size_t(h)])))
       options.edges_to_align.push_back(h);
-  if(!snap_flat_surface<Quarter_turns, false>(surface, 1, given, options))
+  if(!snap_flat_surface(surface, 1, given, options, &solve_complex<Quarter_turns, false>))
     return std::nullopt;
 
   Chart_mesh result = mesh;

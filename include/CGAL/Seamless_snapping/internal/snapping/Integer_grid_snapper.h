@@ -69,10 +69,10 @@ corners_at_grid_points(const Flat_surface& surface,
   return result;
 }
 
-template <typename Group, bool may_untangle>
-class Integer_grid_snapper : public Surface_snapper<Group, Flat_surface, may_untangle>
+template <typename Group>
+class Integer_grid_snapper : public Surface_snapper<Group, Flat_surface>
 {
-  using Base = Surface_snapper<Group, Flat_surface, may_untangle>;
+  using Base = Surface_snapper<Group, Flat_surface>;
   using typename Base::Aligned;
   using typename Base::Cuts;
   using Base::m_flip_repair;

@@ -180,7 +180,7 @@ struct Snapping_options
   }
 };
 
-template <typename Group, typename Surface, bool may_untangle>
+template <typename Group, typename Surface>
 class Surface_snapper
 {
 protected:
@@ -191,10 +191,12 @@ protected:
   using Cuts = Surface_cuts<Group, Halfedge>;
 
 public:
-  Surface_snapper(Surface& surface, const Given& given, const Options& options)
+  Surface_snapper(Surface& surface, const Given& given, const Options& options,
+                  const Solve_complex<Group> solve)
     : m_surface(surface)
     , m_given(given)
     , m_options(options)
+    , m_solve(solve)
     , m_timer(m_report)
     , m_flip_repair(options.flip_repair)
     , m_iterations(options.number_of_untangling_iterations)
@@ -280,8 +282,8 @@ protected:
       is_inside_out ? (std::min)(m_flip_repair, Flip_repair::NEAR_BY) : m_flip_repair;
     const Solution_repairs repairs{repair, m_options.rounds, m_iterations};
     if(const auto refusal =
-         solve_complex<Group, may_untangle>(cuts.complex, was_exact, m_surface.format(), stars,
-                                            repairs, m_report, m_timer, solution))
+         m_solve(cuts.complex, was_exact, m_surface.format(), stars, repairs, m_report, m_timer,
+                 solution))
       return refusal->status == Outcome::INTERNAL_ERROR
                ? refusal
                : explained(*refusal, m_surface, cuts, m_options.constraints, roundings,
@@ -310,6 +312,7 @@ protected:
   Surface& m_surface;
   const Given& m_given;
   const Options& m_options;
+  const Solve_complex<Group> m_solve;
   Snapping_report m_report;
   Step_timer m_timer;
   Surface_changes<Halfedge> m_changes; // to be written
@@ -360,8 +363,8 @@ private:
 };
 
 // Outside of the class, so that programs that share a library can share this, too.
-template <typename Group, typename Surface, bool may_untangle>
-Snapping_report Surface_snapper<Group, Surface, may_untangle>::run()
+template <typename Group, typename Surface>
+Snapping_report Surface_snapper<Group, Surface>::run()
 {
   return report(snap());
 }

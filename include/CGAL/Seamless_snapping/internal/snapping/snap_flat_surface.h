@@ -28,18 +28,20 @@ namespace internal {
 
 // Snaps the map times a number, and to integers if the options ask for that. The map is void
 // unless the report is a success.
-template <typename Group, bool may_untangle>
+template <typename Group>
 Snapping_report snap_flat_surface(Flat_surface& surface, double scale,
                                   const Given_transitions<Group, Corner_index>& given,
-                                  const Snapping_options<Corner_index>& options);
+                                  const Snapping_options<Corner_index>& options,
+                                  Solve_complex<Group> solve);
 
-#define CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE(PREFIX, GROUP, MAY_UNTANGLE)                      \
-  PREFIX template Snapping_report snap_flat_surface<GROUP, MAY_UNTANGLE>(                          \
+#define CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE(PREFIX, GROUP)                                    \
+  PREFIX template Snapping_report snap_flat_surface<GROUP>(                                        \
     Flat_surface&, double, const Given_transitions<GROUP, Corner_index>&,                          \
-    const Snapping_options<Corner_index>&);
+    const Snapping_options<Corner_index>&, Solve_complex<GROUP>);
 
 #ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
-CGAL_SEAMLESS_SNAPPING_FOR_ALL_GROUPS(CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE, extern)
+CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE(extern, Rotation_group<4>)
+CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE(extern, Rotation_group<6>)
 #endif
 
 } // namespace internal

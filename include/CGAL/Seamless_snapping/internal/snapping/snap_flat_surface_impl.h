@@ -62,10 +62,11 @@ double compare_with_input(const std::vector<Uv>& input, const double scale,
   return area;
 }
 
-template <typename Group, bool may_untangle>
+template <typename Group>
 Snapping_report snap_flat_surface(Flat_surface& surface, const double scale,
                                   const Given_transitions<Group, Corner_index>& given,
-                                  const Snapping_options<Corner_index>& options)
+                                  const Snapping_options<Corner_index>& options,
+                                  const Solve_complex<Group> solve)
 {
   if(!(scale > 0 && std::isfinite(scale)))
     return refused<Snapping_report>(
@@ -73,7 +74,7 @@ Snapping_report snap_flat_surface(Flat_surface& surface, const double scale,
   const std::vector<Uv> before = surface.all_uv();
   for(Corner_index h = 0; h < surface.number_of_corners(); ++h)
     surface.set_uv(h, {scale * surface.uv(h)[0], scale * surface.uv(h)[1]});
-  Integer_grid_snapper<Group, may_untangle> snapper(surface, given, options);
+  Integer_grid_snapper<Group> snapper(surface, given, options, solve);
   Snapping_report report = snapper.run();
   if(const auto refusal = snapper.write())
     refuse(report, *refusal);
@@ -90,7 +91,8 @@ Snapping_report snap_flat_surface(Flat_surface& surface, const double scale,
 }
 
 #ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
-CGAL_SEAMLESS_SNAPPING_FOR_ALL_GROUPS(CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE, )
+CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE(, Rotation_group<4>)
+CGAL_SEAMLESS_SNAPPING_SNAP_FLAT_SURFACE(, Rotation_group<6>)
 #endif
 
 } // namespace internal

@@ -59,10 +59,10 @@ inline Message number_of_faces_in_words(const std::vector<std::size_t>& faces,
 
 // Writes into the message which faces are not positive, and into the status, if repairs were asked
 // for.
-template <typename NamedParameters>
-void tell_of_faces(const NamedParameters& np, Snapping_report& report)
+// \param number_of_iterations that the search for repairs may take
+inline void tell_of_faces(const Flip_repair repair, const std::size_t number_of_iterations,
+                          Snapping_report& report)
 {
-  const Flip_repair repair = chosen_flip_repair(np);
   const bool is_asked = repair != Flip_repair::NONE;
   const bool has_flips = is_asked && !report.remaining_flips.empty();
   if(!report || (!has_flips && report.lost_faces.empty()))
@@ -80,8 +80,7 @@ void tell_of_faces(const NamedParameters& np, Snapping_report& report)
   if(const std::size_t n = report.run.number_of_faces_without_area; n > 0)
     note += "; seams and alignments leave " + std::to_string(n) +
             " of them no area, whatever the coordinates are: correct the seams, or align less";
-  else if(is_asked && report.run.number_of_untangling_iterations ==
-                        chosen_number_of_untangling_iterations(np))
+  else if(is_asked && report.run.number_of_untangling_iterations == number_of_iterations)
     note += remedy("the search for repairs ended at number_of_untangling_iterations: raise it");
   else if(repair == Flip_repair::NEAR_BY && report.message.empty())
     note += remedy("Flip_repair::UNTANGLE changes more of the map");
@@ -153,13 +152,30 @@ constexpr bool may_untangle() // others have no free coordinates
   return Group::is_signed_permutation && std::is_same<Flip_parameter, Flip_repair>::value;
 }
 
+// \param add_notes to the report, before the coordinates are written
+template <typename Group, typename Surface>
+Snapping_report snap_in_place(Surface& surface,
+                              const Given_transitions<Group, typename Surface::Halfedge>& given,
+                              const Snapping_options<typename Surface::Halfedge>& options,
+                              const Solve_complex<Group> solve,
+                              const std::function<void(Snapping_report&)>& add_notes)
+{
+  Surface_snapper<Group, Surface> snapper(surface, given, options, solve);
+  Snapping_report report = snapper.run();
+  add_notes(report);
+  if(const auto refusal = snapper.write())
+    refuse(report, *refusal);
+  return report;
+}
+
 // Snaps a copy of the map, which is written back if all succeeds.
 // \param index is to take the index of each halfedge
 // \param add_notes to a report, before
-template <bool may_untangle, typename Group, typename Surface, typename IndexMap>
+template <typename Group, typename Surface, typename IndexMap>
 Snapping_report snap_copy(Surface& input, const double scale, const IndexMap& index,
                           const Given_transitions<Group, typename Surface::Halfedge>& given,
                           const Snapping_options<typename Surface::Halfedge>& options,
+                          const Solve_complex<Group> solve,
                           const std::function<void(Snapping_report&)>& add_notes)
 {
   for(const auto& refusal : {check_indices(input), find_bad_face(input)})
@@ -168,9 +184,9 @@ Snapping_report snap_copy(Surface& input, const double scale, const IndexMap& in
   std::vector<typename Surface::Halfedge> originals;
   Flat_surface surface(input, index, originals);
   const std::vector<Uv> before = surface.all_uv();
-  Snapping_report report = snap_flat_surface<Group, may_untangle>(
+  Snapping_report report = snap_flat_surface<Group>(
     surface, scale, given.template renumbered<Corner_index>(originals),
-    options.renumbered([&](const auto h) { return get(index, h); }));
+    options.renumbered([&](const auto h) { return get(index, h); }), solve);
   if(!report)
     return report;
   add_notes(report);
@@ -189,26 +205,22 @@ template <typename Group, typename TriangleMesh, typename HalfedgeUVMap, typenam
 Snapping_report snap_surface(const TriangleMesh& tmesh, const HalfedgeUVMap& uv_map,
                              const NamedParameters& np)
 {
-  constexpr bool untangles = may_untangle<Group, NamedParameters>();
+  const Solve_complex<Group> solve =
+    &solve_complex<Group, may_untangle<Group, NamedParameters>()>;
   auto surface = uv_surface(tmesh, uv_map, np);
   const auto given = given_transitions<Group>(tmesh, np);
   const auto options = snapping_options<Group>(tmesh, np);
   const auto add_notes = [&](Snapping_report& report) {
     note_coinciding_border_edges(tmesh, np, report);
-    tell_of_faces(np, report);
+    tell_of_faces(options.flip_repair, options.number_of_untangling_iterations, report);
   };
   if constexpr(is_given<NamedParameters, CGAL::internal_np::integer_grid_t> ||
                is_given<NamedParameters, CGAL::internal_np::grid_scale_t>) {
-    return snap_copy<untangles>(surface, chosen(np, CGAL::internal_np::grid_scale, 1.),
-                                get(CGAL::dynamic_halfedge_property_t<Corner_index>(), tmesh),
-                                given, options, add_notes);
+    return snap_copy(surface, chosen(np, CGAL::internal_np::grid_scale, 1.),
+                     get(CGAL::dynamic_halfedge_property_t<Corner_index>(), tmesh), given,
+                     options, solve, add_notes);
   } else {
-    Surface_snapper<Group, decltype(surface), untangles> snapper(surface, given, options);
-    Snapping_report report = snapper.run();
-    add_notes(report);
-    if(const auto refusal = snapper.write())
-      refuse(report, *refusal);
-    return report;
+    return snap_in_place(surface, given, options, solve, add_notes);
   }
 }
 

@@ -60,19 +60,22 @@ std::optional<Refusal> solve_complex(const Cut_complex<Group>& complex, bool is_
                                      const Solution_repairs& repairs, Snapping_report& report,
                                      Step_timer& timer, Complex_solution& solution);
 
+// `solve_complex()` with or without untangling, which not all programs compile.
+template <typename Group>
+using Solve_complex = decltype(&solve_complex<Group, false>);
+
 #define CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEX(PREFIX, GROUP, MAY_UNTANGLE)                          \
   PREFIX template std::optional<Refusal> solve_complex<GROUP, MAY_UNTANGLE>(                       \
     const Cut_complex<GROUP>&, bool, const Number_format&, Point_stars&, const Solution_repairs&,  \
     Snapping_report&, Step_timer&, Complex_solution&);
 
-// All groups of rotations, with and without untangling.
-#define CGAL_SEAMLESS_SNAPPING_FOR_ALL_GROUPS(INSTANTIATE, PREFIX)                                 \
-  INSTANTIATE(PREFIX, Rotation_group<4>, false)                                                    \
-  INSTANTIATE(PREFIX, Rotation_group<4>, true)                                                     \
-  INSTANTIATE(PREFIX, Rotation_group<6>, false)
+#define CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEXES(PREFIX)                                             \
+  CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEX(PREFIX, Rotation_group<4>, false)                           \
+  CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEX(PREFIX, Rotation_group<4>, true)                            \
+  CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEX(PREFIX, Rotation_group<6>, false)
 
 #ifdef CGAL_SEAMLESS_SNAPPING_COMPILED
-CGAL_SEAMLESS_SNAPPING_FOR_ALL_GROUPS(CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEX, extern)
+CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEXES(extern)
 #endif
 
 } // namespace internal

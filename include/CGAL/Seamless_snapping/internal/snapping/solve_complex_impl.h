@@ -78,7 +78,7 @@ template class Complex_solver<Rotation_group<4> >;
 template class Complex_solver<Rotation_group<6> >;
 template class Distortion_minimizer<double>;
 template class Untangler<double>;
-CGAL_SEAMLESS_SNAPPING_FOR_ALL_GROUPS(CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEX, )
+CGAL_SEAMLESS_SNAPPING_SOLVE_COMPLEXES()
 #endif
 
 } // namespace internal
