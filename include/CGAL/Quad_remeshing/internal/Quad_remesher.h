@@ -172,13 +172,14 @@ private:
     if(m_choices.size() < 2)
       return make_quads();
     const std::size_t fewest = m_choices.front().quantization.number_of_quads;
-    m_least_number = (std::max)(double(fewest), m_run.options.quantization.number_of_quads);
+    const double least_number =
+      (std::max)(double(fewest), m_run.options.quantization.number_of_quads);
     const Surface_samples samples(m_run.mesh(), number_of_samples);
     const State* best = &m_choices.front();
     double least = std::numeric_limits<double>::infinity();
     for(const State& choice : m_choices)
       shape_roughly(choice, [&](const Quad_smoother& smoother) {
-        if(const double now = badness(smoother, samples); now < least) {
+        if(const double now = badness(smoother, samples, least_number); now < least) {
           least = now;
           best = &choice;
         }
@@ -200,7 +201,9 @@ private:
   }
 
   // Less for quads that are nearer to rectangles and to the surface, and for fewer ones.
-  double badness(const Quad_smoother& smoother, const Surface_samples& samples) const
+  // \param least_number of quads, that is wanted and can be made
+  double badness(const Quad_smoother& smoother, const Surface_samples& samples,
+                 const double least_number) const
   {
     const CGAL::Bbox_3 box = CGAL::bbox_3(m_run.mesh().points().begin(),
                                           m_run.mesh().points().end());
@@ -209,7 +212,7 @@ private:
                                        samples.largest_distance(m_quads));
     return 2 * distance / diagonal - smoother.shapes().mean_scaled_jacobian +
            0.05 * double(smoother.number_of_inverted_quads()) +
-           0.3 * double(m_quads.number_of_faces()) / m_least_number;
+           0.3 * double(m_quads.number_of_faces()) / least_number;
   }
 
   // Calls measure(smoother) for the quads of a choice.
@@ -451,7 +454,6 @@ private:
   std::vector<State> m_choices; // quads are made of the best one
   Mesh& m_quads;
   Feature_map m_is_feature;
-  double m_least_number = 1; // of quads, that is wanted and can be made
   double m_jacobian_of_fewest = 1; // of the choices, in a rough shape
   std::vector<Point> m_bad_places; // the corners of quads that are inverted or folded
   std::vector<Point> m_thin_places; // of others

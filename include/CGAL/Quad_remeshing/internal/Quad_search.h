@@ -29,7 +29,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -308,11 +307,8 @@ private:
         const Kernel::Segment_3 s(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)));
         if(surface.is_feature()[e] &&
            std::any_of(candidate.flaws.begin(), candidate.flaws.end(), [&](const Point& p)
-                       { return CGAL::squared_distance(p, s) < radius * radius; })) {
-          surface.is_feature()[e] = false;
-          ++result.number_of_released_edges;
-          result.length_of_released_edges += surface.unscaled(surface.length(h));
-        }
+                       { return CGAL::squared_distance(p, s) < radius * radius; }))
+          release(h, surface, result);
       }
     }
     const std::size_t number = result.number_of_released_edges - before;

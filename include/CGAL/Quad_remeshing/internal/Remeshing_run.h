@@ -39,6 +39,16 @@ namespace internal {
 inline double area_in_squares(const Surface_to_remesh& surface)
 { return area_in_squares(surface.mesh(), 1, parameters::vertex_sizing_map(surface.sizes())); }
 
+// From here on, it is no feature: no field can follow it without flips, or quads are inverted next
+// to it.
+inline void release(const Surface_to_remesh::Halfedge h, Surface_to_remesh& surface,
+                    Remeshing_report& report)
+{
+  surface.is_feature()[surface.mesh().edge(h)] = false;
+  ++report.number_of_released_edges;
+  report.length_of_released_edges += surface.unscaled(surface.length(h));
+}
+
 // What has come of a surface so far, in one attempt to make quads.
 // Invariant: `report` tells why the last step failed, if it did.
 struct Remeshing_run
@@ -69,14 +79,7 @@ struct Remeshing_run
                       .halfedge_rotation_map(surface.rotations());
   }
 
-  // From here on, it is no feature: no field can follow it without flips, or quads are inverted
-  // next to it.
-  void release(const Halfedge h)
-  {
-    surface.is_feature()[mesh().edge(h)] = false;
-    ++report.number_of_released_edges;
-    report.length_of_released_edges += surface.unscaled(surface.length(h));
-  }
+  void release(const Halfedge h) { internal::release(h, surface, report); }
 
   // Releases the features that force quads. The map stays; only quads need not follow them.
   void release_features_of_quantization()
