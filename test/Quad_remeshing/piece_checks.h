@@ -6,7 +6,7 @@
 #include "quad_reference.h"
 #include "test_surfaces.h"
 
-#include <CGAL/Quad_remeshing/internal/has_too_many_quads.h>
+#include <CGAL/Quad_remeshing/internal/largest_number_of_quads.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quads_needed.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 #include <CGAL/Quad_remeshing/quantize.h>
@@ -177,11 +177,13 @@ inline void test_too_many_quads()
   const auto check = [](const surfaces::Square_complex& complex, const std::size_t needed) {
     const Grid_map map(complex, 1, 1);
     const std::size_t n = map.mesh.number_of_faces();
-    using QR::internal::has_too_many_quads;
-    CHECK_EQUAL(has_too_many_quads(map.mesh, 0, 0), n > 2 * needed);
-    CHECK_EQUAL(has_too_many_quads(map.mesh, double(n) / 2 - 0.1, n / 2 - 1), n > 2 * needed);
-    CHECK(!has_too_many_quads(map.mesh, double(n) / 2, 0));
-    CHECK(!has_too_many_quads(map.mesh, 0, (n + 1) / 2));
+    using QR::internal::largest_number_of_quads;
+    const auto is_too_many = [&](const double wanted, const std::size_t forced)
+    { return double(n) > largest_number_of_quads(map.mesh, wanted, forced); };
+    CHECK_EQUAL(is_too_many(0, 0), n > 2 * needed);
+    CHECK_EQUAL(is_too_many(double(n) / 2 - 0.1, n / 2 - 1), n > 2 * needed);
+    CHECK(!is_too_many(double(n) / 2, 0));
+    CHECK(!is_too_many(0, (n + 1) / 2));
   };
   for(const int i : {1, 2, 3, 4}) {
     check(surfaces::box(1, 1, i), 6);

@@ -20,6 +20,7 @@
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/approximate_seamless_parametrization.h>
 #include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
+#include <CGAL/Quad_remeshing/internal/largest_number_of_quads.h>
 #include <CGAL/Quad_remeshing/internal/quantization/move_from_origin.h>
 #include <CGAL/Seamless_snapping/snap_to_seamless.h>
 
@@ -28,6 +29,7 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,35 +42,41 @@ class Map_quantizer
   using State = Remeshing_run::State;
 
 public:
-  // \param choices receives the quantizations of few quads to choose from; none of many
-  Map_quantizer(Remeshing_run& run, std::vector<State>& choices)
-    : m_run(run), m_choices(choices)
-  { }
+  explicit Map_quantizer(Remeshing_run& run) : m_run(run) { }
+
+  static constexpr std::size_t few = 1000; // quads, of which several maps and numbers are compared
+
+  // Whether quads are few, so that there are several quantizations, and larger ones, to choose.
+  bool may_choose() const
+  {
+    return number() <= double(few) && !m_run.surface.mirror() &&
+           !m_run.options.quantization.is_coarsest;
+  }
 
   // Quantizes the map for the wanted number. If the result has more quads, and features neither
   // force them nor are released, also maps for more quads that may have fewer than the best result.
   // If quads are few, maps with up to a quarter more quads than the fewest, or than the wanted
-  // number, stay to choose from. Given sizes need all cones. Half of the work is left for the shape
-  // of quads. Returns whether there is a quantization.
-  bool run()
+  // number, are results, too. Given sizes need all cones. Half of the work is left for the shape of
+  // quads. Returns the quantizations, the fewest quads first.
+  std::vector<State> run()
   {
-    const double number =
-      m_run.options.quantization.is_coarsest ? 1 : m_run.options.quantization.number_of_quads;
-    if(m_run.surface.has_sizes_that_vary() || !(number >= 1))
-      return make_map(0) && quantize();
+    std::vector<State> result;
+    if(m_run.surface.has_sizes_that_vary() || !(number() >= 1)) {
+      if(make_map(0) && quantize())
+        result.push_back(m_run.state());
+      return result;
+    }
     const State start = m_run.state();
-    const int wanted = nearest_rung(number);
+    const int wanted = nearest_rung(number());
     if(!make_map(least_cone_distance(wanted)) ||
        (!quantize() && m_run.report.status != Outcome::TOO_LARGE))
-      return false;
-    const bool may_choose = 0.95 * number <= most_to_choose && !m_run.surface.mirror() &&
-                            !m_run.options.quantization.is_coarsest;
+      return result;
     State best = m_run.state();
-    if(may_choose && m_run.quantization)
-      m_choices.push_back(best);
+    if(may_choose() && m_run.quantization)
+      result.push_back(best);
     const auto least = [&] { return double(best.quantization.number_of_quads); };
     const auto may_try = [&](const int rung) {
-      return least() > 1.1 * number && best.quantization.number_of_forced_quads == 0 &&
+      return least() > 1.1 * number() && best.quantization.number_of_forced_quads == 0 &&
              best.report.number_of_released_edges == 0 &&
              0.67 * number_on_ladder(rung) < least() && // 0.95 / sqrt(2)
              m_run.work.is_half_left();
@@ -79,8 +87,8 @@ public:
          !quantize())
         return;
       const State tried = m_run.state();
-      if(may_choose)
-        m_choices.push_back(tried);
+      if(may_choose())
+        result.push_back(tried);
       if(double(m_run.quantization.number_of_quads) < least())
         best = tried;
     };
@@ -89,14 +97,38 @@ public:
     if(m_run.options.quantization.is_coarsest && best.report.number_of_released_edges == 0 &&
        m_run.work.is_half_left())
       try_map(0);
-    m_run.set_state(best);
-    keep_choices(least() <= most_to_choose ? 1.25 * (std::max)(number, least()) : 0.);
-    return bool(m_run.quantization);
+    keep_few(result, least() <= double(few) ? 1.25 * (std::max)(number(), least()) : 0.);
+    if(!best.quantization)
+      m_run.set_state(std::move(best));
+    else if(result.empty())
+      result.push_back(std::move(best));
+    return result;
   }
 
-  static constexpr std::size_t most_choices = 8; // maps whose quads are compared
+  // So many times the quads of a quantization, of the same map. They stay below the largest number
+  // that is a success, unless the quantization does not.
+  State larger(State state, const double factor) const
+  {
+    Quantization_options options = m_run.options.quantization;
+    options.maximum_feature_loss = 0; // the features that it lets go are released already
+    const double least = (std::max)(number(), double(state.quantization.number_of_quads));
+    const double most = largest_number_of_quads(m_run.mesh(), number(),
+                                                state.quantization.number_of_forced_quads);
+    options.number_of_quads = factor * least;
+    auto released = std::move(state.quantization.released_features);
+    state.quantization = quantize_again(state.quantization, options);
+    state.quantization.released_features = std::move(released);
+    if(double(state.quantization.number_of_quads) > most && least <= most)
+      state.quantization = Quantization();
+    return state;
+  }
 
 private:
+  double number() const
+  {
+    return m_run.options.quantization.is_coarsest ? 1 : m_run.options.quantization.number_of_quads;
+  }
+
   bool sizes_vary() const
   { return m_run.options.curvature_adaptivity > 1 || m_run.surface.has_sizes_that_vary(); }
 
@@ -126,16 +158,14 @@ private:
   double least_cone_distance(const int rung) const
   { return 2 * std::sqrt(m_run.area() / number_on_ladder(rung)); }
 
-  // Keeps the choices with at most so many quads, the fewest first.
-  void keep_choices(const double most_quads)
+  // Keeps the states with at most so many quads, the fewest first.
+  static void keep_few(std::vector<State>& states, const double most_quads)
   {
     const auto number = [](const State& s) { return s.quantization.number_of_quads; };
-    m_choices.erase(std::remove_if(m_choices.begin(), m_choices.end(), [&](const State& s)
-                                   { return double(number(s)) > most_quads; }), m_choices.end());
-    std::stable_sort(m_choices.begin(), m_choices.end(), [&](const State& a, const State& b)
+    states.erase(std::remove_if(states.begin(), states.end(), [&](const State& s)
+                                { return double(number(s)) > most_quads; }), states.end());
+    std::stable_sort(states.begin(), states.end(), [&](const State& a, const State& b)
                      { return number(a) < number(b); });
-    if(m_choices.size() > most_choices)
-      m_choices.erase(m_choices.begin() + most_choices, m_choices.end());
   }
 
   // An exactly seamless map without flips: where none was found with few cones, with all of them.
@@ -241,11 +271,9 @@ private:
   }
 
   static constexpr int lowest_rung = -12; // the rung of about one quad
-  static constexpr double most_to_choose = 1000; // quads; of larger meshes, no maps are compared
   static constexpr int largest_cone_index = 2; // no face graph has a vertex of one edge
 
   Remeshing_run& m_run;
-  std::vector<State>& m_choices;
   std::set<std::vector<int> > m_known_fields; // of maps: other cone distances may give the same
 };
 

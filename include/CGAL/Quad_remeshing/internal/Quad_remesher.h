@@ -15,17 +15,12 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// One attempt to make quads of a surface: from its map to quads that are shaped, mended, and
-// counted.
+// The quads of a quantization, which are shaped, mended, and counted.
 
 #include <CGAL/Linear_snapping/internal/exact/Grid.h>
-#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
-#include <CGAL/Linear_snapping/internal/support/Progress.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
-#include <CGAL/Quad_remeshing/internal/Map_quantizer.h>
 #include <CGAL/Quad_remeshing/internal/Remeshing_run.h>
 #include <CGAL/Quad_remeshing/internal/cells/inverted_quads.h>
-#include <CGAL/Quad_remeshing/internal/has_too_many_quads.h>
 #include <CGAL/Quad_remeshing/internal/measure_quads_impl.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_locator.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Surface_samples.h>
@@ -38,16 +33,12 @@
 #include <CGAL/Quad_remeshing/internal/remeshing/shape_quads.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/smooth_quads.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -57,90 +48,34 @@ namespace internal {
 class Quad_remesher
   : private Remeshing_types
 {
-  using State = Remeshing_run::State;
-
 public:
   // \param locator that of the surface, once it is needed
-  Quad_remesher(Surface_to_remesh& surface, std::optional<Surface_locator>& locator,
-                const Remeshing_options& options, Mesh& quads, const Feature_map& is_feature)
-    : m_run(surface, options), m_locator(locator), m_quads(quads), m_is_feature(is_feature)
+  Quad_remesher(Remeshing_run& run, std::optional<Surface_locator>& locator, Mesh& quads,
+                const Feature_map& is_feature)
+    : m_run(run), m_locator(locator), m_quads(quads), m_is_feature(is_feature)
   { }
 
+  // Makes the quads of the quantization.
   void run()
   {
-    if(check_lengths() && check_tolerances() && check_mirror() &&
-       Map_quantizer(m_run, m_choices).run() && make_best_quads())
+    if(make_quads())
       change_points([&](const double x) { return m_run.surface.unscaled(x); });
   }
-
-  const Remeshing_report& report() const { return m_run.report; }
 
   // The corners of inverted and folded quads, or, if there are none, of thin ones.
   const std::vector<Point>& places_of_flaws() const
   { return m_run.report.number_of_bad_quads() > 0 ? m_bad_places : m_thin_places; }
 
   // Moves the vertices of quads that have been extracted already, in the size of the input.
-  Remeshing_report run_on_quads(const Quantization& quantization)
+  void run_on_quads(const Quantization& quantization)
   {
-    if(!check_lengths())
-      return m_run.report;
     change_points([&](const double x) { return m_run.surface.scaled(x); });
     take_over(quantization);
     smooth();
     change_points([&](const double x) { return m_run.surface.unscaled(x); });
-    return m_run.report;
   }
 
 private:
-  // Products of lengths that differ by more are 0 or infinite.
-  bool check_lengths()
-  {
-    constexpr double largest_ratio = 1e50; // of edge lengths: squares of their products stay finite
-    double least = std::numeric_limits<double>::infinity(), longest = 0;
-    std::size_t face = 0;
-    for(const auto f : m_run.mesh().faces())
-      for(const auto h : m_run.mesh().halfedges_around_face(m_run.mesh().halfedge(f))) {
-        const double l = m_run.surface.length(h);
-        if(l > longest) {
-          longest = l;
-          face = m_run.surface.original(f);
-        }
-        least = l > 0 ? (std::min)(least, l) : least;
-      }
-    return !(longest > largest_ratio * least) ||
-           refuse(m_run.report, Outcome::INVALID_ARGUMENT,
-                  name_of_face(face) + " has an edge more than 1e50 times as long as the shortest "
-                  "one of the mesh" + remedy("remove the vertex that is far away"));
-  }
-
-  bool check_tolerances()
-  {
-    const bool is_negative = !(m_run.options.border_tolerance.value_or(0) >= 0);
-    return (!is_negative && m_run.options.area_threshold.value_or(0) >= 0) ||
-           refuse(m_run.report, Outcome::INVALID_ARGUMENT,
-                  term(is_negative ? "border_tolerance" : "area_threshold") +
-                    " must not be negative");
-  }
-
-  // The mesh is one half then, and has half of the quads.
-  bool check_mirror()
-  {
-    const std::optional<Mirror>& mirror = m_run.surface.mirror();
-    if(!mirror)
-      return true;
-    if(!mirror->is_valid())
-      return refuse(m_run.report, Outcome::INVALID_ARGUMENT,
-                    term("symmetry_plane") + " is no plane");
-    if(m_run.mesh().number_of_faces() == 0)
-      return refuse(m_run.report, Outcome::INVALID_ARGUMENT,
-                    "no part of the surface is on the positive side of " + term("symmetry_plane") +
-                      ", or it meets itself along it");
-    Quantization_options& options = m_run.options.quantization;
-    options.number_of_quads = (std::max)(1., options.number_of_quads / 2);
-    options.maximum_number /= 2;
-    return true;
-  }
-
   // Makes quads; of a half, as many as form a mesh with their mirror image.
   bool make_quads()
   {
@@ -156,117 +91,14 @@ private:
             std::string("of fewer quads, one half would meet its image twice");
         return true;
       }
-      m_run.options.quantization.is_coarsest = false;
-      m_run.options.quantization.number_of_quads = 1.5 * number_in_half;
-      if(!m_run.take(quantize_again(m_run.quantization, m_run.options.quantization)))
+      Quantization_options options = m_run.options.quantization;
+      options.is_coarsest = false;
+      options.number_of_quads = 1.5 * number_in_half;
+      if(!m_run.take(quantize_again(m_run.quantization, options)))
         return false;
     }
     return refuse(m_run.report, Outcome::NO_FACE_GRAPH,
                   "the quads of one half meet their mirror images twice; ask for more quads");
-  }
-
-  // Takes the quantization whose quads are best in a rough shape, before they are mended.
-  bool make_best_quads()
-  {
-    add_larger_numbers();
-    if(m_choices.size() < 2)
-      return make_quads();
-    const std::size_t fewest = m_choices.front().quantization.number_of_quads;
-    const double least_number =
-      (std::max)(double(fewest), m_run.options.quantization.number_of_quads);
-    const Surface_samples samples(m_run.mesh(), number_of_samples);
-    const State* best = &m_choices.front();
-    double least = std::numeric_limits<double>::infinity();
-    for(const State& choice : m_choices)
-      shape_roughly(choice, [&](const Quad_smoother& smoother) {
-        if(const double now = badness(smoother, samples, least_number); now < least) {
-          least = now;
-          best = &choice;
-        }
-      });
-    m_run.set_state(*best);
-    m_quads.clear_without_removing_property_maps();
-    if(!make_quads())
-      return false;
-    const std::size_t number = m_run.quantization.number_of_quads;
-    if(fewest < number && double(number) > 1.1 * m_run.options.quantization.number_of_quads)
-      m_run.report.message =
-        counted(fewest, "quad") + " were found, too, but " +
-        (m_jacobian_of_fewest <= m_run.report.mean_scaled_jacobian
-           ? "in a worse shape or farther from the surface, with a mean scaled Jacobian of " +
-             short_number(m_jacobian_of_fewest) + " at first"
-           : "farther from the surface, or with inverted quads") +
-        remedy("minimize_number_of_quads(true) makes as few as are found");
-    return true;
-  }
-
-  // Less for quads that are nearer to rectangles and to the surface, and for fewer ones.
-  // \param least_number of quads, that is wanted and can be made
-  double badness(const Quad_smoother& smoother, const Surface_samples& samples,
-                 const double least_number) const
-  {
-    const CGAL::Bbox_3 box = CGAL::bbox_3(m_run.mesh().points().begin(),
-                                          m_run.mesh().points().end());
-    const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
-    const double distance = (std::max)(smoother.measure_distance(),
-                                       samples.largest_distance(m_quads));
-    return 2 * distance / diagonal - smoother.shapes().mean_scaled_jacobian +
-           0.05 * double(smoother.number_of_inverted_quads()) +
-           0.3 * double(m_quads.number_of_faces()) / least_number;
-  }
-
-  // Calls measure(smoother) for the quads of a choice.
-  template <typename Measure>
-  void shape_roughly(const State& choice, const Measure& measure)
-  {
-    m_run.set_state(choice);
-    m_quads.clear_without_removing_property_maps();
-    m_quads.set_recycle_garbage(false);
-    if(!extract())
-      return;
-    Quad_smoother smoother(m_quads, locator());
-    const Feature_lines lines(m_run.surface);
-    Quad_shaper shaper(m_quads, m_is_feature, m_run.mesh(), lines, smoother);
-    shape(shaper, smoother, rounds_to_choose);
-    measure(smoother);
-    m_run.work.spend(work_of(smoother));
-    m_run.timer.finish("smoothing");
-  }
-
-  // Between features or cones, few quads may have a bad shape where a few more have a good one:
-  // larger numbers of the same map are choices, too. They stay below the largest number that is a
-  // success, unless the fewest quads do not.
-  void add_larger_numbers()
-  {
-    constexpr double good_shape = 0.9; // a mean scaled Jacobian
-    constexpr int most_steps = 5; // of a tenth
-    if(m_choices.empty())
-      return;
-    const State first = m_choices.front();
-    shape_roughly(first, [&](const Quad_smoother& smoother)
-                         { m_jacobian_of_fewest = smoother.shapes().mean_scaled_jacobian; });
-    const bool is_good = m_jacobian_of_fewest >= good_shape;
-    Quantization_options options = m_run.options.quantization;
-    options.maximum_feature_loss = 0; // the features that it lets go are released already
-    const double number = (std::max)(options.number_of_quads,
-                                     double(first.quantization.number_of_quads));
-    const double most = largest_number_of_quads(m_run.mesh(), options.number_of_quads,
-                                                first.quantization.number_of_forced_quads);
-    for(int i = 1; !is_good && i <= most_steps && m_choices.size() < Map_quantizer::most_choices &&
-                   m_run.work.is_left(); ++i) {
-      options.number_of_quads = (1 + 0.1 * i) * number;
-      State larger = first;
-      larger.quantization = quantize_again(first.quantization, options);
-      larger.quantization.released_features = first.quantization.released_features;
-      const double of_larger = double(larger.quantization.number_of_quads);
-      if(larger.quantization &&
-         of_larger > double(m_choices.back().quantization.number_of_quads) &&
-         (of_larger <= most || number > most))
-        m_choices.push_back(larger);
-    }
-    m_run.timer.finish("quantization");
-    m_run.set_state(first);
-    m_quads.clear_without_removing_property_maps();
   }
 
   const Surface_locator& locator()
@@ -322,6 +154,9 @@ private:
     m_run.timer.finish("smoothing");
     m_run.report.median_size_deviation =
       median_size_deviation(m_run.surface, m_run.options.number_wanted(), m_quads, smoother);
+    m_run.report.largest_distance = m_run.surface.unscaled(
+      (std::max)(smoother.measure_distance(),
+                 Surface_samples(m_run.mesh(), number_of_samples).largest_distance(m_quads)));
     if(m_run.surface.mirror())
       m_quads.collect_garbage();
     std::vector<bool> is_folded; // the image has the same order
@@ -443,22 +278,18 @@ private:
         ++m_run.report.number_of_irregular_vertices;
   }
 
-  static constexpr std::size_t number_of_samples = 5000; // of the distance of a choice
-  static constexpr std::size_t rounds_to_choose = 4; // for the rough shape of each choice
+  static constexpr std::size_t number_of_samples = 5000; // of the distance from the quads
   static constexpr int most_edits = 5; // rounds of collapsing and dividing quads
   static constexpr int most_mending_rounds = 4; // of moving vertices off features or surface
   static constexpr std::size_t shaping_rounds = 4; // for each of smoothing, at most
 
-  Remeshing_run m_run;
+  Remeshing_run& m_run;
   std::optional<Surface_locator>& m_locator;
-  std::vector<State> m_choices; // quads are made of the best one
   Mesh& m_quads;
   Feature_map m_is_feature;
-  double m_jacobian_of_fewest = 1; // of the choices, in a rough shape
   std::vector<Point> m_bad_places; // the corners of quads that are inverted or folded
   std::vector<Point> m_thin_places; // of others
 };
-
 
 } // namespace internal
 } // namespace Quad_remeshing

@@ -17,10 +17,15 @@
 
 // The search for quads: which surfaces and numbers are tried, and which result is the best one.
 
+#include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Progress.h>
+#include <CGAL/Linear_snapping/internal/support/Refusal.h>
+#include <CGAL/Quad_remeshing/internal/Map_quantizer.h>
 #include <CGAL/Quad_remeshing/internal/Quad_remesher.h>
-#include <CGAL/Quad_remeshing/internal/has_too_many_quads.h>
+#include <CGAL/Quad_remeshing/internal/check_input.h>
+#include <CGAL/Quad_remeshing/internal/largest_number_of_quads.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <boost/iterator/function_output_iterator.hpp>
@@ -53,7 +58,6 @@ class Quad_search
     Room room;
     bool has_straight_border;
     std::optional<double> part; // of the way to the largest number of quads; else as many as wanted
-    bool (Quad_search::*may_take)(const Remeshing_report&) const; // even if it is better
   };
 
   static constexpr std::array<Move, 8> moves()
@@ -61,14 +65,14 @@ class Quad_search
     using S = Quad_search;
     const Room room = Room::IN_LONG_TRIANGLES;
     return {{
-      {"room in long triangles", &S::is_missing, room, true, {}, &S::is_any},
-      {"room in all triangles", &S::has_flaws, Room::IN_ALL_TRIANGLES, true, {}, &S::is_any},
-      {"the border as it is", &S::has_flaws_at_border, room, false, {}, &S::has_hardly_more_quads},
-      {"the best of several maps", &S::is_coarse_and_bad, room, true, 0., &S::has_fewer_bad},
-      {"some more quads", &S::has_few_and_bad, room, true, 0.3, &S::has_none_bad},
-      {"more quads", &S::has_few_and_bad, room, true, 0.6, &S::has_none_bad},
-      {"nearly as many quads as may be", &S::has_few_and_bad, room, true, 1., &S::has_none_bad},
-      {"the input as it is", &S::has_no_quads, Room::NONE, false, {}, &S::is_any}
+      {"room in long triangles", &S::is_missing, room, true, {}},
+      {"room in all triangles", &S::has_flaws, Room::IN_ALL_TRIANGLES, true, {}},
+      {"the border as it is", &S::has_flaws_at_border, room, false, {}},
+      {"the best of several maps", &S::is_coarse_and_bad, room, true, 0.},
+      {"some more quads", &S::has_few_and_bad, room, true, 0.3},
+      {"more quads", &S::has_few_and_bad, room, true, 0.6},
+      {"nearly as many quads as may be", &S::has_few_and_bad, room, true, 1.},
+      {"the input as it is", &S::has_no_quads, Room::NONE, false, {}}
     }};
   }
 
@@ -76,14 +80,14 @@ class Quad_search
   struct Candidate
   {
     Candidate(const Marked_surface& input, const std::optional<Mirror>& mirror,
-              const Remeshing_options& wanted)
-      : surface(input, mirror), options(wanted)
+              const Remeshing_options& options)
+      : surface(input, mirror), run(surface, options)
     { }
 
     Surface_to_remesh surface; // features are released
-    Remeshing_options options;
+    Remeshing_run run;
     std::optional<Surface_locator> locator; // made once it is needed
-    Remeshing_report result;                // the latest one; and edges that are released since
+    std::optional<Remeshing_report> result; // the best one since the last release
     std::vector<Point> flaws;               // of the result
     int releases_for_shape = 0;             // where no quad was bad
     double radius = 1;                      // edges of quads; features so near are released next
@@ -94,15 +98,21 @@ public:
               const Remeshing_options& options, Mesh& quads, const Feature_map& is_feature)
     : m_input(input), m_mirror(mirror), m_options(options), m_quads(quads),
       m_is_feature(is_feature)
-  { }
+  {
+    const CGAL::Bbox_3 box = CGAL::bbox_3(input.mesh.points().begin(), input.mesh.points().end());
+    m_diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  }
 
   Remeshing_report run()
   {
     for(const Move& move : moves())
       if((this->*move.mends)())
         run(move);
+    if(m_fewest)
+      tell_of_fewest();
     if(m_is_spent || !work().is_left())
       add_note(*m_best, words_for_spent_work);
+    m_best->step_times = std::move(m_step_times);
     return *m_best;
   }
 
@@ -130,9 +140,8 @@ private:
   // More quads may have room around cones and between features.
   bool has_few_and_bad() const
   {
-    constexpr std::size_t few = 2000; // quads in all
     return work().is_left() && *m_best && m_best->number_of_bad_quads() > 0 &&
-           m_best->number_of_quads <= few;
+           m_best->number_of_quads <= Map_quantizer::few;
   }
 
   // For few quads, the map is chosen by their shape; for as few as can be, by their number.
@@ -140,17 +149,6 @@ private:
   { return m_options.quantization.is_coarsest && has_few_and_bad(); }
 
   bool has_no_quads() const { return work().is_left() && !*m_best && m_is_changed; }
-
-  bool is_any(const Remeshing_report&) const { return true; }
-
-  bool has_hardly_more_quads(const Remeshing_report& r) const
-  { return double(r.number_of_quads) <= 1.2 * double(m_best->number_of_quads); }
-
-  bool has_none_bad(const Remeshing_report& r) const
-  { return r && r.number_of_bad_quads() == 0; }
-
-  bool has_fewer_bad(const Remeshing_report& r) const
-  { return r && r.number_of_bad_quads() < m_best->number_of_bad_quads(); }
 
   void run(const Move& move)
   {
@@ -161,10 +159,9 @@ private:
     if(move.room == Room::IN_ALL_TRIANGLES && number_of_faces <= m_number_of_faces)
       return;
     if(move.part) {
-      if(!m_fewest)
-        m_fewest = m_best;
-      candidate.options.quantization.is_coarsest = false;
-      candidate.options.quantization.number_of_quads = number_of_quads(*move.part);
+      Quantization_options& options = candidate.run.options.quantization;
+      options.is_coarsest = false;
+      options.number_of_quads = number_of_quads(*move.part);
     }
     if(move.has_straight_border)
       candidate.surface.straighten_border(border_tolerance(candidate));
@@ -175,16 +172,25 @@ private:
     } else
       Progress::tell([&] { return std::string("again, with ") + move.choice; });
     const double work_before = work().left();
-    make(candidate, move);
+    if(!has_valid_input(candidate.run)) {
+      compare(candidate.run.report);
+      return;
+    }
+    if(m_mirror) { // one half has half of the quads
+      Quantization_options& options = candidate.run.options.quantization;
+      options.number_of_quads = (std::max)(1., options.number_of_quads / 2);
+      options.maximum_number /= 2;
+    }
+    make_all(candidate);
     const double work_of_attempt = work_before - work().left();
-    while(is_to_release(candidate.result, candidate.releases_for_shape) &&
+    while(is_to_release(*candidate.result, candidate.releases_for_shape) &&
           is_to_release(*m_best, candidate.releases_for_shape) && release_features(candidate)) {
       if(work().left() < work_of_attempt / 4) {
         m_is_spent = true;
         return;
       }
       candidate.releases_for_shape += m_best->number_of_bad_quads() == 0;
-      make(candidate, move);
+      make_all(candidate);
     }
   }
 
@@ -210,42 +216,107 @@ private:
   static double border_tolerance(const Candidate& candidate)
   {
     const Surface_to_remesh& surface = candidate.surface;
-    const double number = candidate.options.number_wanted() / (surface.mirror() ? 2 : 1);
+    const double number = candidate.run.options.number_wanted() / (surface.mirror() ? 2 : 1);
     const double length = number > 0 && !surface.has_sizes_that_vary()
       ? surface.unscaled(std::sqrt(area_in_squares(surface) / number)) : 0;
-    return candidate.options.border_tolerance.value_or(length / 2);
+    return candidate.run.options.border_tolerance.value_or(length / 2);
   }
 
-  // Quads of the candidate, which take the place of the best ones if they are better. The steps of
-  // both are reported, in their order.
-  void make(Candidate& candidate, const Move& move)
+  // Quads of the candidate's quantizations. If the first ones are the best so far, and as long as
+  // the best ones have a bad shape, larger numbers of the same map are tried, too.
+  void make_all(Candidate& candidate)
   {
-    Mesh quads;
-    const auto is_feature = quads.add_property_map<Edge, bool>("e:is_feature", false).first;
-    Quad_remesher remesher(candidate.surface, candidate.locator, candidate.options, quads,
-                           is_feature);
-    remesher.run();
-    Remeshing_report result = remesher.report();
-    result.number_of_released_edges += candidate.result.number_of_released_edges;
-    result.length_of_released_edges += candidate.result.length_of_released_edges;
-    result.number_of_corners_left_out = candidate.surface.number_of_corners_left_out();
-    candidate.result = result;
-    candidate.flaws = remesher.places_of_flaws();
-    if(m_best)
-      result.step_times.insert(result.step_times.begin(), m_best->step_times.begin(),
-                               m_best->step_times.end());
-    if(m_best && !((this->*move.may_take)(result) && badness(result) < badness(*m_best))) {
-      m_best->step_times = std::move(result.step_times);
+    constexpr int most_steps = 5; // of a tenth
+    Remeshing_run& run = candidate.run;
+    Remeshing_report report; // without the steps of the last quads
+    report.number_of_released_edges = run.report.number_of_released_edges;
+    report.length_of_released_edges = run.report.length_of_released_edges;
+    report.number_of_corners_left_out = candidate.surface.number_of_corners_left_out();
+    run.report = report;
+    Map_quantizer quantizer(run);
+    std::vector<Remeshing_run::State> states = quantizer.run();
+    candidate.result.reset();
+    if(states.empty()) {
+      candidate.result = run.report;
+      compare(run.report);
       return;
     }
-    take(quads, is_feature);
-    m_best = std::move(result);
-    if(move.part) {
-      m_best->message = m_fewest->message; // which tells why there are so many
-      add_note(*m_best, std::to_string(m_fewest->number_of_quads) + " quads were found, too, " +
-                        std::to_string(m_fewest->number_of_bad_quads()) +
-                        " of them inverted or folded");
+    std::optional<Remeshing_run::State> fewest;
+    if(quantizer.may_choose() &&
+       states.front().quantization.number_of_quads <= Map_quantizer::few)
+      fewest = states.front();
+    std::size_t most = states.back().quantization.number_of_quads;
+    const bool is_best = make(candidate, std::move(states.front()));
+    for(std::size_t i = 1; i < states.size() && is_best && is_to_choose(); ++i)
+      make(candidate, std::move(states[i]));
+    for(int i = 1; fewest && i <= most_steps && is_best && is_to_choose(); ++i) {
+      Remeshing_run::State larger = quantizer.larger(*fewest, 1 + 0.1 * i);
+      run.timer.finish("quantization");
+      if(larger.quantization && larger.quantization.number_of_quads > most) {
+        most = larger.quantization.number_of_quads;
+        make(candidate, std::move(larger));
+      }
     }
+  }
+
+  // Whether the best quads ask for others of the same surface. As few as can be may have any shape.
+  bool is_to_choose() const
+  {
+    return work().is_left() &&
+           (!*m_best || m_best->number_of_bad_quads() > 0 ||
+            (!m_options.quantization.is_coarsest && is_distorted(*m_best)));
+  }
+
+  bool make(Candidate& candidate, Remeshing_run::State state)
+  {
+    Progress::tell([&] {
+      return "the shape of " + counted(state.quantization.number_of_quads, "quad");
+    });
+    candidate.run.set_state(std::move(state));
+    Mesh quads;
+    const auto is_feature = quads.add_property_map<Edge, bool>("e:is_feature", false).first;
+    Quad_remesher remesher(candidate.run, candidate.locator, quads, is_feature);
+    remesher.run();
+    Remeshing_report& result = candidate.run.report;
+    const bool is_best = compare(result);
+    if(is_best)
+      take(quads, is_feature);
+    if(!candidate.result || badness(result) < badness(*candidate.result)) {
+      candidate.result = result;
+      candidate.flaws = remesher.places_of_flaws();
+    }
+    return is_best;
+  }
+
+  // Whether the result becomes the best one.
+  bool compare(Remeshing_report& result)
+  {
+    result.has_too_many_quads = has_too_many_quads(result);
+    m_step_times.insert(m_step_times.end(), result.step_times.begin(), result.step_times.end());
+    result.step_times.clear();
+    if(result && (!m_fewest || result.number_of_quads < m_fewest->number_of_quads))
+      m_fewest = result;
+    if(m_best && !(badness(result) < badness(*m_best)))
+      return false;
+    m_best = result;
+    return true;
+  }
+
+  // If the best quads are more than wanted, although fewer were found.
+  void tell_of_fewest()
+  {
+    Remeshing_report& best = *m_best;
+    const std::size_t fewest = m_fewest->number_of_quads;
+    if(!best || best.number_of_quads <= fewest || !has_more_than_wanted(best))
+      return;
+    best.message = m_fewest->message; // which tells why there are so many
+    add_note(best, counted(fewest, "quad") + " were found, too, " +
+             (m_fewest->number_of_bad_quads() > 0
+                ? std::to_string(m_fewest->number_of_bad_quads()) + " of them inverted or folded"
+                : "but in a worse shape or farther from the surface, with a mean scaled Jacobian "
+                  "of " + short_number(m_fewest->mean_scaled_jacobian)) +
+             (m_options.quantization.is_coarsest ? "" :
+                remedy("minimize_number_of_quads(true) makes as few as are found")));
   }
 
   void take(const Mesh& quads, const Feature_map& is_feature)
@@ -259,33 +330,56 @@ private:
                             boost::make_function_output_iterator(write)));
   }
 
-  // Few bad quads come first; then quads near rectangles, of the wanted size, along all features.
-  // If there are to be as few as can be, their number counts, too.
-  std::tuple<bool, std::size_t, double> badness(const Remeshing_report& r) const
+  bool has_too_many_quads(const Remeshing_report& r) const
   {
+    const Quantization_options& wanted = m_options.quantization;
+    const auto& parts = r.parts_of_other_size;
+    return r && !wanted.is_coarsest &&
+           (double(r.number_of_quads) > largest_number_of_quads(
+              m_input.mesh, wanted.number_of_quads, r.number_of_forced_quads) ||
+            std::any_of(parts.begin(), parts.end(), [](const Part_of_other_size& part)
+                        { return part.has_too_many_quads; }));
+  }
+
+  // A success comes first, and few bad quads; then quads near rectangles and to the surface, not
+  // more than wanted, of the wanted size, along all features.
+  std::tuple<bool, bool, std::size_t, double> badness(const Remeshing_report& r) const
+  {
+    const bool is_coarsest = m_options.quantization.is_coarsest;
     const double released =
       m_length_of_features > 0 ? r.length_of_released_edges / m_length_of_features : 0;
     const double deviation = std::clamp(r.median_size_deviation.value_or(0), good_deviation,
                                         forced_deviation);
-    const double number = m_options.quantization.is_coarsest
-      ? double(r.number_of_quads) / double(m_best->number_of_quads) : 0;
-    return {!r, r.number_of_bad_quads(),
-            (released + deviation) / 2 - r.mean_scaled_jacobian + number};
+    const double number = (std::max)(double(r.number_of_quads),
+                                     is_coarsest ? 1 : m_options.quantization.number_of_quads);
+    const double score = r.mean_scaled_jacobian - (released + deviation) / 2 -
+                         (is_coarsest ? 1 : price_of_number) * std::log(number) -
+                         2 * r.largest_distance / m_diagonal;
+    const bool is_success = r && r.number_of_bad_quads() == 0 && !r.has_too_many_quads;
+    return {!r, !is_success, r.number_of_bad_quads(), -score};
   }
 
-  // Whether quads may be better without features at its flaws. Where more quads than wanted are
-  // forced, they have less room for their shape.
+  bool has_more_than_wanted(const Remeshing_report& r) const
+  {
+    return m_options.quantization.is_coarsest ||
+           double(r.number_of_quads) >= 1.1 * m_options.quantization.number_of_quads;
+  }
+
+  // Where more quads than wanted are forced, they have less room for their shape.
+  bool is_distorted(const Remeshing_report& r) const
+  {
+    constexpr double forced_shape = 0.8; // a mean scaled Jacobian where more are forced
+    return r.mean_scaled_jacobian < (has_more_than_wanted(r) ? forced_shape : fair_shape);
+  }
+
+  // Whether quads may be better without features at the flaws of the result.
   // \param releases_for_shape how often features were released although no quad was bad
   bool is_to_release(const Remeshing_report& r, const int releases_for_shape) const
   {
-    constexpr double forced_shape = 0.8; // a mean scaled Jacobian where more are forced
-    const bool is_forced = m_options.quantization.is_coarsest ||
-      double(r.number_of_quads) >= 1.1 * m_options.quantization.number_of_quads;
-    const bool is_distorted = r.mean_scaled_jacobian < (is_forced ? forced_shape : fair_shape) &&
-                              releases_for_shape == 0;
     const bool has_other_sizes = r.median_size_deviation.value_or(0) > good_deviation &&
-                                 releases_for_shape < 2 && !is_forced;
-    return r && (r.number_of_bad_quads() > 0 || is_distorted || has_other_sizes);
+                                 releases_for_shape < 2 && !has_more_than_wanted(r);
+    return r && (r.number_of_bad_quads() > 0 || r.has_too_many_quads || has_other_sizes ||
+                 (is_distorted(r) && releases_for_shape == 0));
   }
 
   // Near the flaws of the result, in a circle that grows until there are features in it. Returns
@@ -295,9 +389,9 @@ private:
     constexpr double largest_radius = 8; // edges of quads
     Surface_to_remesh& surface = candidate.surface;
     const Mesh& mesh = surface.mesh();
-    Remeshing_report& result = candidate.result;
+    Remeshing_report& result = candidate.run.report;
     const double length = std::sqrt(area_in_squares(mesh, 1, CGAL::parameters::default_values()) /
-                                    double(result.number_of_quads));
+                                    double(candidate.result->number_of_quads));
     const std::size_t before = result.number_of_released_edges;
     for(; candidate.radius <= largest_radius && result.number_of_released_edges == before;
         candidate.radius *= 2) {
@@ -314,13 +408,14 @@ private:
     const std::size_t number = result.number_of_released_edges - before;
     if(number > 0)
       Progress::tell([&] {
-        return counted(candidate.flaws.size() / 4, result.number_of_bad_quads() > 0
+        return counted(candidate.flaws.size() / 4, candidate.result->number_of_bad_quads() > 0
                                                      ? "folded or inverted quad" : "thin quad") +
                "; again without " + counted(number, "feature edge") + " near by";
       });
     return number > 0;
   }
 
+  static constexpr double price_of_number = 0.3; // in mean scaled Jacobians, of e times as many
   static constexpr double fair_shape = 0.9; // a mean scaled Jacobian
   // By which the median edge differs from its wanted length: less matters less than shape, and more
   // than the second one is forced, as where very few quads are wanted.
@@ -332,7 +427,9 @@ private:
   Mesh& m_quads;
   Feature_map m_is_feature;
   std::optional<Remeshing_report> m_best;
-  std::optional<Remeshing_report> m_fewest; // before more quads than wanted are tried
+  std::optional<Remeshing_report> m_fewest; // of all results, the one with the fewest quads
+  std::vector<std::pair<std::string, double> > m_step_times;
+  double m_diagonal;                 // of the input's box
   double m_length_of_features = 0;   // of the first surface, before any are released
   std::size_t m_number_of_faces = 0; // of the first surface
   bool m_is_changed = false; // the first surface is not the input as it is

@@ -120,12 +120,12 @@ struct Remeshing_run
   }
 
   // Times add up.
-  void set_state(const State& state)
+  void set_state(State state)
   {
     auto times = std::move(report.step_times);
-    report = state.report;
+    report = std::move(state.report);
     report.step_times = std::move(times);
-    quantization = state.quantization;
+    quantization = std::move(state.quantization);
     std::size_t i = 0;
     for(const auto e : mesh().edges())
       surface.is_feature()[e] = bool(state.is_feature[i++]);

@@ -20,13 +20,11 @@
 #include <CGAL/Linear_snapping/internal/exact/locale_free_decimals.h>
 #include <CGAL/Linear_snapping/internal/support/Refusal.h>
 #include <CGAL/Quad_remeshing/internal/Quad_search.h>
-#include <CGAL/Quad_remeshing/internal/has_too_many_quads.h>
 #include <CGAL/Quad_remeshing/internal/measure_quads_impl.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/leave_out_small_parts.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/vertex_far_away.h>
 #include <CGAL/Quad_remeshing/quad_remesh.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -64,13 +62,6 @@ Remeshing_report remesh(Marked_surface& input, const std::optional<Mirror>& mirr
   Remeshing_report report = Quad_search(input, mirror, options, quads, is_feature).run();
   report.number_of_parts_left_out = small_parts.number();
   report.area_of_parts_left_out = small_parts.area();
-  const auto& parts = report.parts_of_other_size;
-  report.has_too_many_quads =
-    report && !options.quantization.is_coarsest &&
-    (has_too_many_quads(quads, options.quantization.number_of_quads,
-                        report.number_of_forced_quads) ||
-     std::any_of(parts.begin(), parts.end(),
-                 [](const Part_of_other_size& part) { return part.has_too_many_quads; }));
   return report;
 }
 
@@ -81,7 +72,10 @@ Remeshing_report smooth(const Marked_surface& input, const Quantization& quantiz
 {
   Surface_to_remesh surface(input, std::nullopt);
   std::optional<Surface_locator> locator;
-  return Quad_remesher(surface, locator, options, quads, is_feature).run_on_quads(quantization);
+  Remeshing_run run(surface, options);
+  if(has_similar_lengths(run))
+    Quad_remesher(run, locator, quads, is_feature).run_on_quads(quantization);
+  return run.report;
 }
 
 #ifdef CGAL_SEAMLESS_SNAPPING_COMPILED

@@ -10,12 +10,12 @@
 //
 // Author(s)     : The Seamless_snapping authors
 
-#ifndef CGAL_QUAD_REMESHING_INTERNAL_HAS_TOO_MANY_QUADS_H
-#define CGAL_QUAD_REMESHING_INTERNAL_HAS_TOO_MANY_QUADS_H
+#ifndef CGAL_QUAD_REMESHING_INTERNAL_LARGEST_NUMBER_OF_QUADS_H
+#define CGAL_QUAD_REMESHING_INTERNAL_LARGEST_NUMBER_OF_QUADS_H
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Whether there are many more quads than wanted, and nothing in the input is a reason for them.
+// How many more quads than wanted are a success: nothing in the input is a reason for more.
 
 #include <CGAL/Quad_remeshing/internal/quantization/quads_needed.h>
 
@@ -64,17 +64,12 @@ double number_for_topology(const Mesh& mesh)
   return of_part * parts + double(quads_of_handle) * handles;
 }
 
-// A result of more quads is no success: nothing in the input forces so many.
 template <typename Mesh>
 double largest_number_of_quads(const Mesh& mesh, const double wanted, const std::size_t forced)
 { return 2 * (std::max)({wanted, double(forced), number_for_topology(mesh)}); }
-
-template <typename Mesh>
-bool has_too_many_quads(const Mesh& quads, const double wanted, const std::size_t forced)
-{ return double(quads.number_of_faces()) > largest_number_of_quads(quads, wanted, forced); }
 
 } // namespace internal
 } // namespace Quad_remeshing
 } // namespace CGAL
 
-#endif // CGAL_QUAD_REMESHING_INTERNAL_HAS_TOO_MANY_QUADS_H
+#endif // CGAL_QUAD_REMESHING_INTERNAL_LARGEST_NUMBER_OF_QUADS_H
