@@ -86,9 +86,7 @@ private:
       const double number_in_half = double(m_quads.number_of_faces());
       if(smooth()) {
         if(round > 0)
-          m_run.report.message +=
-            (m_run.report.message.empty() ? "" : "; ") +
-            std::string("of fewer quads, one half would meet its image twice");
+          add_note(m_run.report, "of fewer quads, one half would meet its image twice");
         return true;
       }
       Quantization_options options = m_run.options.quantization;

@@ -237,8 +237,8 @@ private:
     std::vector<Remeshing_run::State> states = quantizer.run();
     candidate.result.reset();
     if(states.empty()) {
-      candidate.result = run.report;
       compare(run.report);
+      candidate.result = run.report;
       return;
     }
     std::optional<Remeshing_run::State> fewest;
@@ -246,10 +246,11 @@ private:
        states.front().quantization.number_of_quads <= Map_quantizer::few)
       fewest = states.front();
     std::size_t most = states.back().quantization.number_of_quads;
-    const bool is_best = make(candidate, std::move(states.front()));
-    for(std::size_t i = 1; i < states.size() && is_best && is_to_choose(); ++i)
+    if(!make(candidate, std::move(states.front())))
+      return;
+    for(std::size_t i = 1; i < states.size() && is_to_choose(); ++i)
       make(candidate, std::move(states[i]));
-    for(int i = 1; fewest && i <= most_steps && is_best && is_to_choose(); ++i) {
+    for(int i = 1; fewest && i <= most_steps && is_to_choose(); ++i) {
       Remeshing_run::State larger = quantizer.larger(*fewest, 1 + 0.1 * i);
       run.timer.finish("quantization");
       if(larger.quantization && larger.quantization.number_of_quads > most) {
@@ -267,6 +268,7 @@ private:
             (!m_options.quantization.is_coarsest && is_distorted(*m_best)));
   }
 
+  // Returns whether the quads of the state become the best ones.
   bool make(Candidate& candidate, Remeshing_run::State state)
   {
     Progress::tell([&] {
@@ -334,9 +336,11 @@ private:
   {
     const Quantization_options& wanted = m_options.quantization;
     const auto& parts = r.parts_of_other_size;
+    const double number = double(r.number_of_quads);
     return r && !wanted.is_coarsest &&
-           (double(r.number_of_quads) > largest_number_of_quads(
-              m_input.mesh, wanted.number_of_quads, r.number_of_forced_quads) ||
+           ((number > 2 * wanted.number_of_quads && // else the topology does not matter
+             number > largest_number_of_quads(m_input.mesh, wanted.number_of_quads,
+                                              r.number_of_forced_quads)) ||
             std::any_of(parts.begin(), parts.end(), [](const Part_of_other_size& part)
                         { return part.has_too_many_quads; }));
   }
