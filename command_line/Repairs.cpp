@@ -191,6 +191,7 @@ Repairs build(const Polygon_soup& soup, const Plain_reading_options& options, Mo
   repairs.file_faces = soup.polygons.size();
   const Surface_soup surface = make_surface(soup, repairs);
   PMP::polygon_soup_to_polygon_mesh(surface.points, surface.polygons, model.mesh);
+  model.mesh.shrink_to_fit(); // CGAL reserves more
   model.file_vertices = surface.file_points;
   model.file_faces = surface.file_faces;
   model.first_number = soup.first_number;

@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -69,25 +71,25 @@ void check_direction_file(const std::string& filename)
 
 // A .rosy file has the number of faces, 4, and a direction for each face; a .rawfield file has 4, the
 // number of faces, and four directions for each face, of which the first is read.
-Direction_map read_directions(const std::string& filename, const Repairs& repairs, Mesh& mesh,
-                              std::ostream& os)
+Direction_map read_directions(const std::string& filename, const Repairs& repairs,
+                              const Mesh& mesh, std::ostream& os)
 {
-  const Direction_map result =
-    mesh.add_property_map<Mesh::Face_index, Kernel::Vector_3>("f:direction",
-                                                              Kernel::Vector_3(0, 0, 0)).first;
   if(filename.empty())
-    return result;
+    return {};
   if(repairs.degenerate_faces + repairs.duplicate_faces + repairs.triangulated_faces > 0)
     throw Failure(UNREADABLE, filename + ": the directions belong to other faces, because the mesh "
                               "had to be repaired: " + repairs.in_words());
   const bool is_raw = suffix_of(filename) == "rawfield";
   const std::vector<double> numbers = read_numbers(filename);
   check_numbers(filename, numbers, is_raw, mesh.number_of_faces());
+  std::vector<Kernel::Vector_3> directions(mesh.number_of_faces());
   std::size_t i = 2;
-  for(const Mesh::Face_index f : mesh.faces()) {
-    result[f] = near_one(numbers[i], numbers[i + 1], numbers[i + 2]);
+  for(Kernel::Vector_3& d : directions) {
+    d = near_one(numbers[i], numbers[i + 1], numbers[i + 2]);
     i += is_raw ? 12 : 3;
   }
+  const Direction_map result{
+    std::make_shared<const std::vector<Kernel::Vector_3> >(std::move(directions))};
   if(std::none_of(mesh.faces_begin(), mesh.faces_end(),
                   [&](const Mesh::Face_index f) { return has_effect(result[f], f, mesh); }))
     os << "note: " << filename << " has no effect: each direction is 0 or normal to its face\n";

@@ -209,6 +209,8 @@ public:
         m_surface, m_angles, *m_complex, *m_rows, *m_table,
         round == 0 ? m_options.number_of_stiffening_rounds : 0,
         [&](std::vector<double>& u) {
+          if(round == 0) // else the system is used once more
+            m_solver.reset(); // frees memory
           const std::size_t left = stiffen_near_flips(u);
           if(left == 0 || !m_options.may_release || m_iterations_left == 0)
             return left;

@@ -23,9 +23,12 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -68,13 +71,12 @@ constexpr double flat_corner = 135; // degrees; a larger angle is no corner
 struct Marked_surface
   : public Remeshing_types
 {
-  using Direction_map = Mesh::Property_map<Face, Vector>;
   using Sizing_map = Mesh::Property_map<Vertex, double>;
 
   Marked_surface() = default;
   // The maps belong to the mesh: the copy finds its own maps again.
   Marked_surface(const Marked_surface& other)
-    : mesh(other.mesh), originals(other.originals)
+    : mesh(other.mesh), directions(other.directions), originals(other.originals)
   { }
   Marked_surface& operator=(const Marked_surface&) = delete;
 
@@ -101,19 +103,20 @@ struct Marked_surface
     return part;
   }
 
-  // \pre all faces that were added before `f` are marked
-  void mark_part(const Face f, const Face whole)
-  {
-    directions[f] = Vector(directions[whole]);
-    originals.push_back(std::size_t(originals[whole]));
-  }
+  // The direction of crosses in a face; 0 where none is given.
+  Vector direction(const Face f) const
+  { return directions ? (*directions)[originals[std::size_t(f)]] : Vector(0, 0, 0); }
+
+  // To be called for each face that is added: the next one is a part of `whole`.
+  void mark_part_of(const Face whole)
+  { originals.push_back(std::size_t(originals[std::size_t(whole)])); }
 
   Mesh mesh;
   Feature_map is_feature = mesh.add_property_map<Edge, bool>("e:is_feature", false).first;
-  // of crosses; 0 where none is given
-  Direction_map directions = mesh.add_property_map<Face>("f:direction", Vector(0, 0, 0)).first;
   // of quads, in a unit of their own
   Sizing_map sizes = mesh.add_property_map<Vertex, double>("v:size", 1).first;
+  // of crosses, per face of the input; null if all are 0
+  std::shared_ptr<const std::vector<Vector> > directions;
   // per face: the number of the one of the input that it is a part of
   std::vector<std::size_t> originals;
 
@@ -130,6 +133,20 @@ private:
       }
     return result;
   }
+};
+
+// The directions as a property map, which refers to the surface.
+struct Direction_map
+{
+  using key_type = Marked_surface::Face;
+  using value_type = Marked_surface::Vector;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+
+  value_type operator[](const key_type f) const { return surface->direction(f); }
+  friend value_type get(const Direction_map& map, const key_type f) { return map[f]; }
+
+  const Marked_surface* surface;
 };
 
 } // namespace internal

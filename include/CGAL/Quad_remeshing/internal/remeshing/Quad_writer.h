@@ -34,6 +34,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -119,17 +120,23 @@ Marked_surface read_surface(const TriangleMesh& tmesh, const NamedParameters& np
     CGAL::parameters::get_parameter(np, CGAL::internal_np::edge_is_constrained);
   const auto direction_map = CGAL::parameters::get_parameter(np, internal_np::face_direction);
   const auto size_map = CGAL::parameters::get_parameter(np, internal_np::vertex_sizing);
+  std::shared_ptr<std::vector<Marked_surface::Vector> > directions;
   for(const auto& [original, h] : copies) {
     if constexpr(is_given<decltype(feature_map)>)
       surface.is_feature[copy.edge(h)] = bool(get(feature_map, edge(original, tmesh)));
     if constexpr(is_given<decltype(direction_map)>)
       if(!copy.is_border(h) && copy.halfedge(copy.face(h)) == h) {
         const Place d = place_of(get(direction_map, face(original, tmesh)));
-        surface.directions[copy.face(h)] = {d[0], d[1], d[2]};
+        if(!directions && d != Place{0, 0, 0})
+          directions = std::make_shared<std::vector<Marked_surface::Vector> >(
+            copy.number_of_faces(), Marked_surface::Vector(0, 0, 0));
+        if(directions)
+          (*directions)[std::size_t(copy.face(h))] = {d[0], d[1], d[2]};
       }
     if constexpr(is_given<decltype(size_map)>)
       surface.sizes[copy.target(h)] = CGAL::to_double(get(size_map, target(original, tmesh)));
   }
+  surface.directions = std::move(directions);
   return surface;
 }
 

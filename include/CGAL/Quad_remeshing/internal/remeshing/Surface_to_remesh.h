@@ -49,7 +49,6 @@ class Surface_to_remesh
 public:
   using Uv_map = Mesh::Property_map<Halfedge, Kernel::Point_2>;
   using Rotation_map = Mesh::Property_map<Halfedge, int>;
-  using Direction_map = Marked_surface::Direction_map;
   using Sizing_map = Marked_surface::Sizing_map;
 
   // \param input without originals, these are the faces themselves
@@ -98,7 +97,7 @@ public:
   Border_straightener::Point_map points_of_map() const { return m_points_of_map; }
   Feature_map is_feature() const { return m_surface.is_feature; }
   Uv_map uv_map() const { return m_uv_map; }
-  Direction_map directions() const { return m_surface.directions; }
+  Direction_map directions() const { return {&m_surface}; }
   Feature_map is_cut() const { return m_is_cut; }
   Rotation_map rotations() const { return m_rotations; }
   Sizing_map sizes() const { return m_surface.sizes; }
@@ -186,11 +185,8 @@ private:
     for(const Half_surface::Place& p : half.places())
       vertices.emplace_back(half.point(p),
                             (1 - p.t) * sizes[p.source] + p.t * sizes[p.target]);
-    std::vector<Vector> directions;
-    for(const Half_surface::Triangle& t : half.triangles())
-      directions.push_back(m_surface.directions[t.face]);
     m_mesh.clear_without_removing_property_maps();
-    m_surface.originals.clear();
+    const std::vector<std::size_t> originals = std::exchange(m_surface.originals, {});
     for(const auto& [point, size] : vertices)
       m_surface.sizes[m_mesh.add_vertex(point)] = size;
     for(const Half_surface::Triangle& t : half.triangles()) {
@@ -202,8 +198,7 @@ private:
         m_mesh.clear_without_removing_property_maps();
         return;
       }
-      m_surface.directions[f] = directions[m_surface.originals.size()];
-      m_surface.originals.push_back(std::size_t(t.face));
+      m_surface.originals.push_back(originals[std::size_t(t.face)]);
       for(std::size_t i = 0; i < 3; ++i)
         if(t.is_feature[i])
           m_surface.is_feature[m_mesh.edge(m_mesh.halfedge(v[i], v[(i + 1) % 3]))] = true;

@@ -145,7 +145,7 @@ private:
     m_surface.sizes[m_mesh.target(h)] = size;
     for(const Halfedge g : m_mesh.halfedges_around_target(h))
       if(m_mesh.face(g) != f)
-        m_surface.mark_part(m_mesh.face(g), f);
+        m_surface.mark_part_of(f);
   }
 
   static constexpr double narrow_tip = 50; // degrees, as `parametrization::narrow_sector`

@@ -194,8 +194,8 @@ private:
   void divide_face(const Halfedge h)
   {
     const Face f = m_mesh.face(h);
-    const Halfedge g = CGAL::Euler::split_face(h, m_mesh.next(m_mesh.next(h)), m_mesh);
-    m_surface.mark_part(m_mesh.face(m_mesh.face(g) == f ? m_mesh.opposite(g) : g), f);
+    CGAL::Euler::split_face(h, m_mesh.next(m_mesh.next(h)), m_mesh);
+    m_surface.mark_part_of(f);
   }
 
   // Between slivers, rounding could let flips go on; so they are counted.
@@ -220,7 +220,7 @@ private:
   bool is_to_flip(const Halfedge h) const
   {
     const Halfedge o = m_mesh.opposite(h);
-    if(m_surface.directions[m_mesh.face(h)] != m_surface.directions[m_mesh.face(o)] ||
+    if(m_surface.direction(m_mesh.face(h)) != m_surface.direction(m_mesh.face(o)) ||
        (m_surface.is_wall(m_mesh.next(h)) && m_surface.is_wall(m_mesh.prev(o))) ||
        (m_surface.is_wall(m_mesh.prev(h)) && m_surface.is_wall(m_mesh.next(o))))
       return false;

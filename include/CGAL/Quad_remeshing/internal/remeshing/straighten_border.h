@@ -255,9 +255,8 @@ private:
                            (m_surface.sizes[v] + m_surface.sizes[w]) / 2);
     for(const Halfedge g : {to_middle, m_mesh.opposite(h)}) {
       const Face f = m_mesh.face(g);
-      const Halfedge new_edge = CGAL::Euler::split_face(g, m_mesh.next(m_mesh.next(g)), m_mesh);
-      const Face part = m_mesh.face(m_mesh.opposite(new_edge));
-      m_surface.mark_part(part == f ? m_mesh.face(new_edge) : part, f);
+      CGAL::Euler::split_face(g, m_mesh.next(m_mesh.next(g)), m_mesh);
+      m_surface.mark_part_of(f);
     }
   }
 
