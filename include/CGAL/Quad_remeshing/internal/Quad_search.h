@@ -89,7 +89,6 @@ class Quad_search
     std::optional<Surface_locator> locator; // made once it is needed
     std::optional<Remeshing_report> result; // the best one since the last release
     std::vector<Point> flaws;               // of the result
-    int releases_for_shape = 0;             // where no quad was bad
     double radius = 1;                      // edges of quads; features so near are released next
   };
 
@@ -183,14 +182,16 @@ private:
     }
     make_all(candidate);
     const double work_of_attempt = work_before - work().left();
-    while(is_to_release(*candidate.result, candidate.releases_for_shape) &&
-          is_to_release(*m_best, candidate.releases_for_shape) && release_features(candidate)) {
+    bool helps = true; // the last release
+    while(is_to_release(*candidate.result, helps) && is_to_release(*m_best, helps) &&
+          release_features(candidate)) {
       if(work().left() < work_of_attempt / 4) {
         m_is_spent = true;
         return;
       }
-      candidate.releases_for_shape += m_best->number_of_bad_quads() == 0;
+      const auto before = badness(*m_best);
       make_all(candidate);
+      helps = badness(*m_best) < before;
     }
   }
 
@@ -377,13 +378,13 @@ private:
   }
 
   // Whether quads may be better without features at the flaws of the result.
-  // \param releases_for_shape how often features were released although no quad was bad
-  bool is_to_release(const Remeshing_report& r, const int releases_for_shape) const
+  // \param helps whether the last release has made the best result better
+  bool is_to_release(const Remeshing_report& r, const bool helps) const
   {
     const bool has_other_sizes = r.median_size_deviation.value_or(0) > good_deviation &&
-                                 releases_for_shape < 2 && !has_more_than_wanted(r);
-    return r && (r.number_of_bad_quads() > 0 || r.has_too_many_quads || has_other_sizes ||
-                 (is_distorted(r) && releases_for_shape == 0));
+                                 !has_more_than_wanted(r);
+    return r && (r.number_of_bad_quads() > 0 || r.has_too_many_quads ||
+                 (helps && (has_other_sizes || is_distorted(r))));
   }
 
   // Near the flaws of the result, in a circle that grows until there are features in it. Returns
