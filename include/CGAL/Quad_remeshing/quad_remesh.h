@@ -193,11 +193,12 @@ before.
 
 \par Search
 If the first result has flaws, the function tries further settings, which \ref QRemeshingSearch
-lists, and returns the best result. The result with fewer inverted and folded quads is better. If
-these are equally many, the function compares the mean scaled Jacobian, less penalties for released
-features and for edges whose length is not the wanted one. Among meshes of few quads, the distance
-from the surface and the number of quads count, too. Vertices leave features, and then the surface,
-only if quads stay bad otherwise.
+lists, and returns the best result. Results without inverted or folded quads, whose number is near
+the wanted one, are better than all others; then results with fewer inverted and folded quads are. If
+these are equally many, the function compares the mean scaled Jacobian, less penalties for the
+distance from the surface, for more quads than wanted, for released features, and for edges whose
+length is not the wanted one. Vertices leave features, and then the surface, only if quads stay bad
+otherwise.
 
 \par Bound
 All searches together have one bound on their work, which grows with the sizes of input and result.

@@ -46,10 +46,11 @@ public:
 
   static constexpr std::size_t few = 1000; // quads, of which several maps and numbers are compared
 
-  // Whether quads are few, so that there are several quantizations, and larger ones, to choose.
-  bool may_choose() const
+  // Whether the wanted quads, and those that were found, are so few that there are several
+  // quantizations, and much larger ones, to choose.
+  bool are_few(const std::size_t found) const
   {
-    return number() <= double(few) && !m_run.surface.mirror() &&
+    return number() <= double(few) && found <= few && !m_run.surface.mirror() &&
            !m_run.options.quantization.is_coarsest;
   }
 
@@ -72,7 +73,7 @@ public:
        (!quantize() && m_run.report.status != Outcome::TOO_LARGE))
       return result;
     State best = m_run.state();
-    if(may_choose() && m_run.quantization)
+    if(m_run.quantization)
       result.push_back(best);
     const auto least = [&] { return double(best.quantization.number_of_quads); };
     const auto may_try = [&](const int rung) {
@@ -86,22 +87,19 @@ public:
       if(!parametrize(least_cone_distance) || !m_run.report.remaining_flips.empty() ||
          !quantize())
         return;
-      const State tried = m_run.state();
-      if(may_choose())
-        result.push_back(tried);
+      result.push_back(m_run.state());
       if(double(m_run.quantization.number_of_quads) < least())
-        best = tried;
+        best = result.back();
     };
     for(int rung = wanted + 1; may_try(rung); ++rung)
       try_map(least_cone_distance(rung));
     if(m_run.options.quantization.is_coarsest && best.report.number_of_released_edges == 0 &&
        m_run.work.is_half_left())
       try_map(0);
-    keep_few(result, least() <= double(few) ? 1.25 * (std::max)(number(), least()) : 0.);
-    if(!best.quantization)
+    keep_few(result, are_few(best.quantization.number_of_quads)
+                       ? 1.25 * (std::max)(number(), least()) : least());
+    if(result.empty())
       m_run.set_state(std::move(best));
-    else if(result.empty())
-      result.push_back(std::move(best));
     return result;
   }
 

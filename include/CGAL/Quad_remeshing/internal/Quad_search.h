@@ -58,9 +58,10 @@ class Quad_search
     Room room;
     bool has_straight_border;
     std::optional<double> part; // of the way to the largest number of quads; else as many as wanted
+    bool has_larger_numbers = false; // only
   };
 
-  static constexpr std::array<Move, 8> moves()
+  static constexpr std::array<Move, 9> moves()
   {
     using S = Quad_search;
     const Room room = Room::IN_LONG_TRIANGLES;
@@ -68,6 +69,7 @@ class Quad_search
       {"room in long triangles", &S::is_missing, room, true, {}},
       {"room in all triangles", &S::has_flaws, Room::IN_ALL_TRIANGLES, true, {}},
       {"the border as it is", &S::has_flaws_at_border, room, false, {}},
+      {"slightly more quads", &S::has_many_and_some_bad, room, true, {}, true},
       {"the best of several maps", &S::is_coarse_and_bad, room, true, 0.},
       {"some more quads", &S::has_few_and_bad, room, true, 0.3},
       {"more quads", &S::has_few_and_bad, room, true, 0.6},
@@ -143,6 +145,15 @@ private:
            m_best->number_of_quads <= Map_quantizer::few;
   }
 
+  // Other quads of the same map may have nothing bad.
+  bool has_many_and_some_bad() const
+  {
+    constexpr double some = 0.005; // of the quads; more have another reason than chance
+    return work().is_left() && *m_best && !m_mirror && !m_options.quantization.is_coarsest &&
+           m_best->number_of_bad_quads() > 0 && m_best->number_of_quads > Map_quantizer::few &&
+           double(m_best->number_of_bad_quads()) <= some * double(m_best->number_of_quads);
+  }
+
   // For few quads, the map is chosen by their shape; for as few as can be, by their number.
   bool is_coarse_and_bad() const
   { return m_options.quantization.is_coarsest && has_few_and_bad(); }
@@ -180,7 +191,9 @@ private:
       options.number_of_quads = (std::max)(1., options.number_of_quads / 2);
       options.maximum_number /= 2;
     }
-    make_all(candidate);
+    make_all(candidate, move.has_larger_numbers);
+    if(move.has_larger_numbers)
+      return;
     const double work_of_attempt = work_before - work().left();
     bool helps = true; // the last release
     while(is_to_release(*candidate.result, helps) && is_to_release(*m_best, helps) &&
@@ -225,9 +238,11 @@ private:
 
   // Quads of the candidate's quantizations. If the first ones are the best so far, and as long as
   // the best ones have a bad shape, larger numbers of the same map are tried, too.
-  void make_all(Candidate& candidate)
+  // \param has_larger_numbers only, because the first ones are known
+  void make_all(Candidate& candidate, const bool has_larger_numbers = false)
   {
-    constexpr int most_steps = 5; // of a tenth
+    constexpr int most_steps = 5; // to larger numbers
+    constexpr double step_of_few = 0.1, step_of_many = 0.02; // parts of the number of quads
     Remeshing_run& run = candidate.run;
     Remeshing_report report; // without the steps of the last quads
     report.number_of_released_edges = run.report.number_of_released_edges;
@@ -242,17 +257,18 @@ private:
       candidate.result = run.report;
       return;
     }
-    std::optional<Remeshing_run::State> fewest;
-    if(quantizer.may_choose() &&
-       states.front().quantization.number_of_quads <= Map_quantizer::few)
-      fewest = states.front();
+    const Remeshing_run::State fewest = states.front();
+    const bool is_few = quantizer.are_few(fewest.quantization.number_of_quads);
     std::size_t most = states.back().quantization.number_of_quads;
-    if(!make(candidate, std::move(states.front())))
+    if(!has_larger_numbers && !make(candidate, std::move(states.front())))
       return;
-    for(std::size_t i = 1; i < states.size() && is_to_choose(); ++i)
+    for(std::size_t i = 1; i < states.size() && !has_larger_numbers && is_to_choose(); ++i)
       make(candidate, std::move(states[i]));
-    for(int i = 1; fewest && i <= most_steps && is_to_choose(); ++i) {
-      Remeshing_run::State larger = quantizer.larger(*fewest, 1 + 0.1 * i);
+    const double step = is_few ? step_of_few : step_of_many;
+    const auto is_to_enlarge = [&]
+      { return has_larger_numbers ? has_many_and_some_bad() : is_few && is_to_choose(); };
+    for(int i = 1; i <= most_steps && is_to_enlarge(); ++i) {
+      Remeshing_run::State larger = quantizer.larger(fewest, 1 + step * i);
       run.timer.finish("quantization");
       if(larger.quantization && larger.quantization.number_of_quads > most) {
         most = larger.quantization.number_of_quads;
