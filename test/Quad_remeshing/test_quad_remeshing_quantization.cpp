@@ -2923,7 +2923,8 @@ Mesh rolled_sheet(const unsigned int seed)
   constexpr int n = 50, m = 14, ring = 2 * (m + 1); // vertices along the roll, and around the sheet
   constexpr double thickness = 0.01, noise = 0.02;
   std::mt19937 random(seed);
-  const auto random_number = [&] { return noise * (static_cast<double>(random()) / 2147483648. - 1); };
+  const auto random_number = [&]
+    { return noise * (static_cast<double>(random()) / 2147483648. - 1); };
   Mesh sheet;
   for(int i = 0; i <= n; ++i)
     for(int k = 0; k < ring; ++k) {
@@ -2943,9 +2944,10 @@ Mesh rolled_sheet(const unsigned int seed)
   for(int j = 0; j < m; ++j)
     for(const bool is_end : {false, true}) {
       const int i = is_end ? n : 0;
-      const Vertex a = at(i, j), b = at(i, j + 1), c = at(i, ring - 2 - j), d = at(i, ring - 1 - j);
-      for(const auto& [p, q, r] : {std::array<Vertex, 3>{a, b, c}, std::array<Vertex, 3>{a, c, d}})
-        is_end ? sheet.add_face(r, q, p) : sheet.add_face(p, q, r);
+      const Vertex a = at(i, j), b = at(i, j + 1),
+                   c = at(i, ring - 2 - j), d = at(i, ring - 1 - j);
+      for(const auto& [q, r] : {std::make_pair(b, c), std::make_pair(c, d)})
+        is_end ? sheet.add_face(r, q, a) : sheet.add_face(a, q, r);
     }
   return sheet;
 }

@@ -194,8 +194,8 @@ before.
 \par Search
 If the first result has flaws, the function tries further settings, which \ref QRemeshingSearch
 lists, and returns the best result. Results without inverted or folded quads, whose number is near
-the wanted one, are better than all others; then results with fewer inverted and folded quads are. If
-these are equally many, the function compares the mean scaled Jacobian, less penalties for the
+the wanted one, are better than all others; then results with fewer inverted and folded quads are.
+If these are equally many, the function compares the mean scaled Jacobian, less penalties for the
 distance from the surface, for more quads than wanted, for released features, and for edges whose
 length is not the wanted one. Vertices leave features, and then the surface, only if quads stay bad
 otherwise.
