@@ -1193,9 +1193,14 @@ seamless(0 remesh holes.off holes_quads.off --number 20 --report holes.json)
 expect_message("${out}" " of them inverted or folded; --coarsest makes as few as are found")
 file(READ "${WORK_DIR}/holes.json" json)
 expect("a bad shape: ${json}" json MATCHES "\"mean_scaled_jacobian\": 0\\.9")
-seamless(0 body holes.off --genus 4)
-seamless(0 remesh holes.off holes_quads.off --number 20)
-expect_message("${out}" "found, too, but in a worse shape or farther from the surface, with a ")
+file(WRITE "${WORK_DIR}/pyramids.off" "OFF\n6 8 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n0 0 4\n0 0 -4\n\
+3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 1 0 5\n3 2 1 5\n3 3 2 5\n3 0 3 5\n")
+set(outputs "")
+foreach(number IN ITEMS 12 30) # rounding errors choose which one has more quads
+  seamless(0 remesh pyramids.off pyramids_quads.off --number ${number} --feature-angle 40)
+  string(APPEND outputs "${out}")
+endforeach()
+expect_message("${outputs}" "found, too, but in a worse shape or farther from the surface, with a ")
 
 # sizes that hardly vary hardly make cones, also where a surface is rough
 set(rough "OFF\n625 1152 0\n")
@@ -1421,27 +1426,30 @@ seamless(0 remesh in.obj new_quads.off --quads 20 --feature-angle 5 --report rem
 file(READ "${WORK_DIR}/remeshed.json" json)
 expect_message("${json}" "\"relative_largest_distance\"")
 expect_message("${json}" "\"number_of_forced_quads\"")
-# a polyhedron with sharp tips: 51 quads along its edges are worse in shape, and about as near
+# a polyhedron with sharp tips: few quads along its edges are worse in shape, and about as near, for
+# some number that rounding errors choose
 file(WRITE "${WORK_DIR}/tips.off" "OFF\n8 12 0\n.77 .16 .62\n-.44 -.81 .39\n.35 -.94 -.06\n\
 .03 -1 -.08\n-.92 -.39 .04\n.78 -.61 -.15\n.97 .22 .06\n-.33 .48 -.81\n3 0 1 2\n3 2 1 3\n\
 3 4 1 0\n3 3 1 4\n3 0 2 5\n3 5 2 3\n3 6 0 5\n3 7 0 6\n3 4 0 7\n3 6 5 7\n3 7 5 3\n3 4 7 3\n")
-foreach(number IN ITEMS 51 5000)
+foreach(number IN ITEMS 51 20 17 5000)
   seamless(0 remesh tips.off tips_quads.obj --number ${number} --report tips.json)
   file(READ "${WORK_DIR}/tips.json" json)
   string(JSON length GET "${json}" length_of_features)
-  if(number EQUAL 51)
-    expect_message("${out}" "no sharp edge kept after all")
-    expect("no feature" length EQUAL 0)
-    string(JSON jacobian GET "${json}" mean_scaled_jacobian)
-    seamless(0 remesh tips.off tips_quads.obj --number 51 --feature-angle 40 --report tips.json)
-    file(READ "${WORK_DIR}/tips.json" json)
-    string(JSON with_features GET "${json}" mean_scaled_jacobian)
-    expect("${jacobian} without, ${with_features} with" jacobian GREATER with_features)
-  else()
-    expect("${out}" NOT out MATCHES "after all")
+  if(NOT out MATCHES "no sharp edge kept after all")
     expect("features" length GREATER 0)
+    continue()
   endif()
+  expect("${out}" NOT number EQUAL 5000)
+  set(is_tips_without_features TRUE)
+  expect("no feature" length EQUAL 0)
+  string(JSON jacobian GET "${json}" mean_scaled_jacobian)
+  seamless(0 remesh tips.off tips_quads.obj --number ${number} --feature-angle 40
+             --report tips.json)
+  file(READ "${WORK_DIR}/tips.json" json)
+  string(JSON with_features GET "${json}" mean_scaled_jacobian)
+  expect("${jacobian} without, ${with_features} with" jacobian GREATER with_features)
 endforeach()
+expect("tips" is_tips_without_features)
 # three sharp edges, shorter than edges of quads, are left out, unless all are asked for
 seamless(0 remesh in.obj new_quads.off --quads 20 --feature-angle 20 --report remeshed.json)
 expect_message("${out}" "3 feature edges; 0 keeps them")
