@@ -23,8 +23,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -133,20 +131,6 @@ private:
       }
     return result;
   }
-};
-
-// The directions as a property map, which refers to the surface.
-struct Direction_map
-{
-  using key_type = Marked_surface::Face;
-  using value_type = Marked_surface::Vector;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
-
-  value_type operator[](const key_type f) const { return surface->direction(f); }
-  friend value_type get(const Direction_map& map, const key_type f) { return map[f]; }
-
-  const Marked_surface* surface;
 };
 
 } // namespace internal

@@ -26,6 +26,8 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -97,7 +99,11 @@ public:
   Border_straightener::Point_map points_of_map() const { return m_points_of_map; }
   Feature_map is_feature() const { return m_surface.is_feature; }
   Uv_map uv_map() const { return m_uv_map; }
-  Direction_map directions() const { return {&m_surface}; }
+  auto directions() const
+  {
+    return boost::make_function_property_map<Face>(
+      [this](const Face f) { return m_surface.direction(f); });
+  }
   Feature_map is_cut() const { return m_is_cut; }
   Rotation_map rotations() const { return m_rotations; }
   Sizing_map sizes() const { return m_surface.sizes; }
