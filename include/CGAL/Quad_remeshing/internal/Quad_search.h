@@ -58,7 +58,7 @@ class Quad_search
     Room room;
     bool has_straight_border;
     std::optional<double> part; // of the way to the largest number of quads; else as many as wanted
-    bool has_larger_numbers = false; // only
+    bool is_slightly_larger = false;
   };
 
   static constexpr std::array<Move, 9> moves()
@@ -191,9 +191,11 @@ private:
       options.number_of_quads = (std::max)(1., options.number_of_quads / 2);
       options.maximum_number /= 2;
     }
-    make_all(candidate, move.has_larger_numbers);
-    if(move.has_larger_numbers)
+    if(move.is_slightly_larger) {
+      make_slightly_more(candidate);
       return;
+    }
+    make_all(candidate);
     const double work_of_attempt = work_before - work().left();
     bool helps = true; // the last release
     while(is_to_release(*candidate.result, helps) && is_to_release(*m_best, helps) &&
@@ -237,44 +239,69 @@ private:
   }
 
   // Quads of the candidate's quantizations. If the first ones are the best so far, and as long as
-  // the best ones have a bad shape, larger numbers of the same map are tried, too.
-  // \param has_larger_numbers only, because the first ones are known
-  void make_all(Candidate& candidate, const bool has_larger_numbers = false)
+  // the best ones have a bad shape, others are made, and larger numbers of the same map if few.
+  void make_all(Candidate& candidate)
   {
-    constexpr int most_steps = 5; // to larger numbers
-    constexpr double step_of_few = 0.1, step_of_many = 0.02; // parts of the number of quads
-    Remeshing_run& run = candidate.run;
-    Remeshing_report report; // without the steps of the last quads
-    report.number_of_released_edges = run.report.number_of_released_edges;
-    report.length_of_released_edges = run.report.length_of_released_edges;
-    report.number_of_corners_left_out = candidate.surface.number_of_corners_left_out();
-    run.report = report;
-    Map_quantizer quantizer(run);
+    constexpr double step = 0.1; // a part of the number of quads
+    reset_report(candidate);
+    Map_quantizer quantizer(candidate.run);
     std::vector<Remeshing_run::State> states = quantizer.run();
     candidate.result.reset();
     if(states.empty()) {
-      compare(run.report);
-      candidate.result = run.report;
+      compare(candidate.run.report);
+      candidate.result = candidate.run.report;
       return;
     }
     const Remeshing_run::State fewest = states.front();
-    const bool is_few = quantizer.are_few(fewest.quantization.number_of_quads);
-    std::size_t most = states.back().quantization.number_of_quads;
-    if(!has_larger_numbers && !make(candidate, std::move(states.front())))
+    const std::size_t most = states.back().quantization.number_of_quads;
+    if(!make(candidate, std::move(states.front())))
       return;
-    for(std::size_t i = 1; i < states.size() && !has_larger_numbers && is_to_choose(); ++i)
+    for(std::size_t i = 1; i < states.size() && is_to_choose(); ++i)
       make(candidate, std::move(states[i]));
-    const double step = is_few ? step_of_few : step_of_many;
-    const auto is_to_enlarge = [&]
-      { return has_larger_numbers ? has_many_and_some_bad() : is_few && is_to_choose(); };
-    for(int i = 1; i <= most_steps && is_to_enlarge(); ++i) {
+    if(quantizer.are_few(fewest.quantization.number_of_quads))
+      make_larger(candidate, quantizer, fewest, most, step, &Quad_search::is_to_choose);
+  }
+
+  // Quads of slightly larger numbers only, because the candidate's own quantizations are known.
+  void make_slightly_more(Candidate& candidate)
+  {
+    constexpr double step = 0.02; // a part of the number of quads
+    reset_report(candidate);
+    Map_quantizer quantizer(candidate.run);
+    const std::vector<Remeshing_run::State> states = quantizer.run();
+    if(!states.empty())
+      make_larger(candidate, quantizer, states.front(),
+                  states.back().quantization.number_of_quads, step,
+                  &Quad_search::has_many_and_some_bad);
+  }
+
+  // Quads of larger numbers, as long as the best ones ask for them.
+  // \param fewest the smallest number of the candidate's map
+  // \param most quads that are known
+  void make_larger(Candidate& candidate, Map_quantizer& quantizer,
+                   const Remeshing_run::State& fewest, std::size_t most, const double step,
+                   bool (Quad_search::*is_to_enlarge)() const)
+  {
+    constexpr int most_steps = 5; // to larger numbers
+    for(int i = 1; i <= most_steps && (this->*is_to_enlarge)(); ++i) {
       Remeshing_run::State larger = quantizer.larger(fewest, 1 + step * i);
-      run.timer.finish("quantization");
+      candidate.run.timer.finish("quantization");
       if(larger.quantization && larger.quantization.number_of_quads > most) {
         most = larger.quantization.number_of_quads;
         make(candidate, std::move(larger));
       }
     }
+  }
+
+  // The report as it is before there are quads.
+  static void reset_report(Candidate& candidate)
+  {
+    Remeshing_report& report = candidate.run.report;
+    Remeshing_report result;
+    result.number_of_released_edges = report.number_of_released_edges;
+    result.length_of_released_edges = report.length_of_released_edges;
+    result.number_of_corners_left_out = candidate.surface.number_of_corners_left_out();
+    report = result;
   }
 
   // Whether the best quads ask for others of the same surface. As few as can be may have any shape.
