@@ -171,7 +171,8 @@ inline void test_small_closed_pieces()
   CHECK(of_equal.number_of_quads > 4 && !of_equal.has_too_many_quads); // five parts need more
 }
 
-// More than twice the number that is wanted has a reason if features, parts, or handles need it.
+// More than twice the number that is wanted has a reason if features, parts, handles, or holes need
+// it.
 inline void test_too_many_quads()
 {
   const auto check = [](const surfaces::Square_complex& complex, const std::size_t needed) {
@@ -189,6 +190,7 @@ inline void test_too_many_quads()
     check(surfaces::box(1, 1, i), 6);
     check(surfaces::disc(i, i), 6);
     check(surfaces::torus(i + 2, i + 2), 6 + 9);
+    check(surfaces::cylinder(i + 2, i + 2), 6 + 4);
     surfaces::Square_complex complex = surfaces::box(1, 1, i);
     complex.append(surfaces::box(i, 1, 1));
     check(complex, 2 * 6);

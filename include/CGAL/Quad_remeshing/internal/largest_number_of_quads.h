@@ -31,19 +31,19 @@ namespace CGAL {
 namespace Quad_remeshing {
 namespace internal {
 
-// The number of closed sequences of border edges. CGAL's own function has another name and place
+// An edge of each closed sequence of border edges. CGAL's own function has another name and place
 // from CGAL 6.2 on.
 template <typename Mesh>
-std::size_t number_of_border_cycles(const Mesh& mesh)
+auto border_cycles(const Mesh& mesh)
 {
-  std::vector<bool> is_counted(mesh.num_halfedges());
-  std::size_t result = 0;
+  std::vector<bool> is_visited(mesh.num_halfedges());
+  std::vector<typename Mesh::Halfedge_index> result;
   for(const auto h : mesh.halfedges()) {
-    if(!mesh.is_border(h) || is_counted[std::size_t(h)])
+    if(!mesh.is_border(h) || is_visited[std::size_t(h)])
       continue;
-    ++result;
+    result.push_back(h);
     for(const auto next : CGAL::halfedges_around_face(h, mesh))
-      is_counted[std::size_t(next)] = true;
+      is_visited[std::size_t(next)] = true;
   }
   return result;
 }
@@ -52,16 +52,24 @@ std::size_t number_of_border_cycles(const Mesh& mesh)
 template <typename Mesh>
 double number_for_topology(const Mesh& mesh)
 {
-  constexpr double of_part = 6; // quads of a closed surface
+  constexpr double of_part = 6; // quads of a closed surface, or of an open one without holes
+  constexpr double of_hole = 4; // quads around it
   std::vector<std::size_t> part(mesh.num_faces());
   const double parts = double(CGAL::Polygon_mesh_processing::connected_components(
     mesh, CGAL::make_property_map(part)));
   const double euler_characteristic = double(mesh.number_of_vertices()) +
                                       double(mesh.number_of_faces()) -
                                       double(mesh.number_of_edges());
-  const double loops = double(number_of_border_cycles(mesh));
+  double loops = 0, holes = 0; // the first loop of a part is no hole
+  std::vector<bool> is_open(part.size());
+  for(const auto h : border_cycles(mesh)) {
+    const std::size_t p = part[std::size_t(mesh.face(mesh.opposite(h)))];
+    ++loops;
+    holes += is_open[p];
+    is_open[p] = true;
+  }
   const double handles = (2 * parts - loops - euler_characteristic) / 2;
-  return of_part * parts + double(quads_of_handle) * handles;
+  return of_part * parts + double(quads_of_handle) * handles + of_hole * holes;
 }
 
 template <typename Mesh>
