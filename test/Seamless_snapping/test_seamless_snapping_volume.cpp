@@ -3,6 +3,7 @@
 
 #include "interruptions.h"
 #include "test_data.h"
+#include "triangulation_checks.h"
 #include "volume_checks.h"
 #include "volume_file_checks.h"
 #include "volume_grid_checks.h"
@@ -371,6 +372,10 @@ int main(int argc, char** argv)
   test_thin_facets(true);
   test_refusals();
   test_neighbors();
+  for(const unsigned int seed : {1, 2, 3}) {
+    triangulation_checks::test_cells_of_triangulation(seed);
+    triangulation_checks::test_cells_of_complex(seed);
+  }
   test_two_cells();
   test_large_names();
   test_floats_and_components();
