@@ -555,6 +555,13 @@ void test_numbers()
   const Hexahedral_mesh before = mesh;
   const auto refused = make_mesh(map, mesh, few.maximum_number(5));
   CHECK(!refused && refused.message.find("maximum_number") != std::string::npos);
+  const auto contradictory = make_mesh(map, mesh, few.maximum_number(2));
+  CHECK_EQUAL(contradictory.status, Outcome::INVALID_ARGUMENT);
+  CHECK(contradictory.message.find("maximum_number") != std::string::npos);
+  const std::size_t number = before.hexahedra.size();
+  const auto enough = make_mesh(map, mesh, few.maximum_number(number));
+  CHECK_IN(enough.message, bool(enough) && enough.number_of_hexahedra == number);
+  CHECK_EQUAL(make_mesh(map, mesh, few.maximum_number(number - 1)).status, Outcome::TOO_LARGE);
   CHECK(before.points == mesh.points && before.hexahedra == mesh.hexahedra);
 
   // as it is: near integers, and far from them

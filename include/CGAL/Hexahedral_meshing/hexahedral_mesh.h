@@ -112,6 +112,12 @@ public:
 
   void run()
   {
+    if(m_target > m_most) {
+      m_report.status = Outcome::INVALID_ARGUMENT;
+      m_report.message = std::to_string(m_target) + " hexahedra are wanted, but at most " +
+                         std::to_string(m_most) + " are allowed" + remedy("raise maximum_number");
+      return;
+    }
     const double volume = volume_in_domain();
     double scale = 1;
     if(m_target > 0 && volume > 0 && std::isfinite(volume))
@@ -175,7 +181,7 @@ private:
       return;
     m_extraction = Extraction();
     static_cast<Hexahedra_report&>(m_report) = extract_soup<ConcurrencyTag>(
-      m_points, m_tetrahedra, uvw_map, {(std::max)(m_most, m_target), false, false, true}, m_np,
+      m_points, m_tetrahedra, uvw_map, {m_most, false, false, true}, m_np,
       m_extraction);
   }
 
@@ -234,7 +240,8 @@ is near an integer-grid map. Most maps need the parameter.
     \cgalParamDefault{0: the function does not scale the map}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number}
-    \cgalParamDescription{the number of hexahedra above which the function gives up}
+    \cgalParamDescription{the number of hexahedra above which the function gives up; at least
+                          `target_number_of_hexahedra`}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{64 times `target_number_of_hexahedra`; without this parameter, 100 million}
   \cgalParamNEnd
@@ -252,6 +259,7 @@ is near an integer-grid map. Most maps need the parameter.
           if the integers are too far without `target_number_of_hexahedra`, `NOT_INTEGER`;
         - a status of `extract_hexahedra()`: for example `NOT_POSITIVE` or `TOO_COARSE`, if cells
           collapse or hexahedra meet twice for each number of hexahedra up to `maximum_number`;
+        - `INVALID_ARGUMENT`: `maximum_number` is less than `target_number_of_hexahedra`;
         - `TOO_LARGE`: there would be more hexahedra than `maximum_number`.
         .
         The message names the place and the remedy.
