@@ -872,6 +872,9 @@ file(WRITE "${WORK_DIR}/ridge.obj" "v -2 0 0\nv 3 0 0\nv 3 1 0\nv -2 1 0\nv 0.25
   "v 0.75 0.5 0.25\nf 1 2 6 5\nf 2 3 6\nf 3 4 5 6\nf 4 1 5\n")
 seamless(0 remesh ridge.obj box_again.obj --number 50)
 expect_message("${out}" "1 sharp edge not kept, because")
+expect_message("${out}" "; --feature-angle 40 --feature-length 0 keeps them")
+seamless(0 remesh ridge.obj box_again.obj --number 50 --feature-angle 40 --feature-length 0)
+expect_message("${out}" "features: 1 edge, of length ")
 seamless(0 remesh box_quads.obj box_again.obj --number 200 --features) # kept along a pipeline
 expect_message("${out}" "features: ${number} edges, of length ")
 file(STRINGS "${WORK_DIR}/box_patches.obj" lines REGEX "^g patch_[1-6]$")
@@ -1372,6 +1375,8 @@ property list uchar int vertex_indices\nend_header\n0 0 0 0 0\n1 0 0 1 0\n1 1 0 
 seamless(0 remesh seam.ply square_quads.ply --number 16)
 expect_message("${err}" "note: 's' differs between vertices of seam.ply in the same place")
 expect("${err}" NOT err MATCHES "'t'")
+seamless(0 snap seam.ply seam_snapped.ply)
+expect_message("${out}" "which has coordinates at corners in place of vertices")
 
 # targets that can't be: the words are options of this command
 seamless(2 remesh box.off no_quads.obj --number 9 --maximum-number 5)
@@ -1844,7 +1849,7 @@ expect("inexact facets: ${json}" json MATCHES "\"measured\": {[^}]*\"inexact_fac
 seamless(1 check exact.hexex --integer-grid)
 expect_message("${err}" "no integer-grid map")
 seamless(1 snap volume.hexex new.hexex --integer-grid)
-expect_message("${err}" "but --rounding is 0.01; raise it to at least this distance, or scale")
+expect_message("${err}" "but --rounding is 0.01; raise --rounding to at least this distance, or ")
 # as far as told is far enough
 string(REGEX MATCH " must move by ([0-9.]+) to reach the integer" match "${err}")
 seamless(0 snap volume.hexex new.hexex --integer-grid --rounding ${CMAKE_MATCH_1})
@@ -1951,6 +1956,10 @@ expect_message("${err}" "hexahedra are written as .mesh, .vtk, or .ovm")
 seamless(2 hexes in.obj new.mesh)
 expect_message("${err}" "a tetrahedral mesh with a map is a .hexex file")
 seamless(2 hexes volume.hexex new.mesh --number 0)
+seamless(2 hexes volume.hexex new.mesh --number 500 --maximum-number 499)
+expect_message("${err}" "at most 499 are made; --maximum-number allows more")
+seamless(1 hexes volume.hexex new.mesh --number 500 --maximum-number 500)
+expect_message("${err}" "raise --maximum-number")
 seamless(3 hexes missing.hexex new.mesh)
 expect("hexahedra were written in spite of a failure" NOT EXISTS ${WORK_DIR}/new.mesh)
 

@@ -50,9 +50,13 @@ void detect_features(const double length, Model& model, std::ostream& os)
   if(found.number_of_features > 0)
     os << counted(found.number_of_features, "sharp edge")
        << " kept; --feature-angle 0 keeps none\n";
-  if(left_out > 0)
-    os << counted(left_out, "sharp edge") << " not kept, because most there are short, or the surface "
-       << "beside them bends, too; --feature-angle " << angle << " keeps them\n";
+  if(left_out > 0) {
+    os << counted(left_out, "sharp edge") << " not kept, because most sharp edges lie ";
+    if(length > 0)
+      os << "in chains shorter than " << length << ", or ";
+    os << "beside faces that bend, too; --feature-angle " << angle
+       << " --feature-length 0 keeps them\n";
+  }
 }
 
 // Notes if more than half of all features are short for the edges of the mesh, unless they are few.
@@ -82,7 +86,7 @@ void Feature_options::add_to(Options& options, const std::string& keep,
                              const std::string& default_length)
 {
   options.add("feature-angle", "DEGREES", angle, {0, 180},
-              keep + " edges with a larger angle between the normals of their faces: 0 for a flat "
+              keep + " edges with at least this angle between the normals of their faces: 0 for a flat "
               "surface, 90 for a cube. 0 " + keep + "s none (default: " +
               std::to_string(detected_angle) + " if most such edges lie in long chains between smooth "
               "faces, as on CAD models; else, and with --features, 0)");

@@ -18,9 +18,9 @@ namespace po = boost::program_options;
 
 const char* const exit_statuses =
   "Exit status: 0 done; 1 failed, or the checked file is not exact; 2 wrong usage; 3 an input cannot\n"
-  "be read; 4 an output cannot be written; 5 written, but with flaws that the messages name: flipped\n"
-  "faces or cells, inverted or folded quads, inverted hexahedra, or more than twice as many quads as\n"
-  "wanted.\n";
+  "be read; 4 an output cannot be written; 5 written, but with flaws that the messages name: faces\n"
+  "or cells that a repair left flipped, inverted or folded quads, inverted hexahedra, or more than\n"
+  "twice as many quads as wanted although nothing in the input forces them.\n";
 
 void print_version(std::ostream& os)
 {

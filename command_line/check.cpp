@@ -40,8 +40,9 @@ void check(const Arguments& arguments)
                   "across each edge, the coordinates of both sides differ by a rotation by a\n"
                   "multiple of 90 degrees and a translation.\n"
                   "\n"
-                  "IN is a .obj file, a .ply file with a list 'texcoord' for each face, or - for the\n"
-                  "standard input. For tetrahedral meshes, see 'seamless check IN.hexex --help'.\n");
+                  "IN is a .obj file, a .ply file with a list 'texcoord' for each face, or with s and\n"
+                  "t, or u and v, for each vertex, or - for the standard input. For tetrahedral\n"
+                  "meshes, see 'seamless check IN.hexex --help'.\n");
   std::string input, report;
   bool keeps_open = false;
   Seam_options seam_options;

@@ -71,6 +71,8 @@ struct Hexahedra_options
     const std::string suffix = suffix_of(output);
     if(suffix != "mesh" && suffix != "vtk" && suffix != "ovm" && !is_special_file(output))
       throw Failure(USAGE, "'" + output + "': hexahedra are written as .mesh, .vtk, or .ovm");
+    if(most > 0)
+      check_number_of_faces("number", number, "hexahedra", "; --maximum-number allows more", most);
     check_picture(picture);
     check_outputs({input}, {output, picture, report});
     return true;

@@ -43,10 +43,10 @@ struct Layout_options
                     "at curves that were there first. A border that nearly lies on isocurves is\n"
                     "aligned; at other borders, patches can have any shape.\n"
                     "\n"
-                    "IN is a .obj file, a .ply file with a list 'texcoord' for each face, or - for\n"
-                    "the standard input. OUT is a .obj file with a group of faces for each patch and\n"
-                    "an element 'l' for each side; patches that are no rectangles are also in the\n"
-                    "group 'cut'.\n");
+                    "IN is a .obj file, a .ply file with a list 'texcoord' for each face, or with s\n"
+                    "and t, or u and v, for each vertex, or - for the standard input. OUT is a .obj\n"
+                    "file with a group of faces for each patch and an element 'l' for each side;\n"
+                    "patches that are no rectangles are also in the group 'cut'.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);

@@ -50,9 +50,9 @@ struct Quad_options
                     "coordinate is an integer, after the coordinates were made an exact integer-grid\n"
                     "map.\n"
                     "\n"
-                    "IN is a .obj file, a .ply file with a list 'texcoord' for each face, or - for\n"
-                    "the standard input. OUT is a .obj, .off, or .ply file, or - for the standard\n"
-                    "output, as OBJ.\n");
+                    "IN is a .obj file, a .ply file with a list 'texcoord' for each face, or with s\n"
+                    "and t, or u and v, for each vertex, or - for the standard input. OUT is a .obj,\n"
+                    ".off, or .ply file, or - for the standard output, as OBJ.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);
@@ -188,16 +188,18 @@ void write_flip_repairs(std::ostream& os, const QR::Snapping_report& report)
 }
 
 // What the result lacks of the surface.
-void write_left_out(std::ostream& os, const Result& result)
+void write_left_out(std::ostream& os, const Quad_options& options, const Result& result)
 {
   const QR::Extraction_report& report = result.report;
   if(report.number_of_cut_cells == 0)
     return;
   os << "left out: " << counted(report.number_of_cut_cells, "piece")
      << " of cells at the border or at holes, " << 100 * result.part_left_out()
-     << " % of the area in the domain. More quads leave out less; --align-border keeps cells whole "
-        "where border edges are nearly on isocurves, as in maps of 'parametrize --align-border'; "
-        "'remesh' makes whole ones\n";
+     << " % of the area in the domain. More quads leave out less; ";
+  if(!options.seams.align_border)
+    os << "--align-border keeps cells whole where border edges are nearly on isocurves, as in maps of "
+          "'parametrize --align-border'; ";
+  os << "'remesh' makes whole ones\n";
 }
 
 void write_summary(std::ostream& os, const Quad_options& options, const Model& model,
@@ -218,7 +220,7 @@ void write_summary(std::ostream& os, const Quad_options& options, const Model& m
   if(report.number_of_other_polygons > 0)
     os << counted(report.number_of_other_polygons, "other polygon")
        << " around cones between grid lines; --grid-scale 2 avoids them at half-integers\n";
-  write_left_out(os, result);
+  write_left_out(os, options, result);
   if(result.topologies)
     os << note(*result.topologies, "extraction");
   if(!report.nonpositive_faces.empty())

@@ -142,8 +142,8 @@ struct Remesh_options
     double strength = 0, tolerance = 0, area = 0;
     options.add("curvature", "STRENGTH", strength, {0, (std::numeric_limits<double>::max)()},
                 "how strongly quads follow the curvature. 0: not at all; the default if sizes vary. 0.002: "
-                "along sharp edges and around cylinders; the default otherwise. 0.1 and more: strongly, "
-                "with more irregular vertices");
+                "along sharp edges and around cylinders; the default otherwise, and less on large "
+                "meshes. 0.1 and more: strongly, with more irregular vertices");
     options.add("border-tolerance", "L", tolerance, {0, infinity},
                 "ignore steps of the border up to this size (default: half the wanted length of edges; 0 "
                 "if sizes vary, and with --coarsest)");
@@ -292,7 +292,8 @@ void check_number_of_quads(const Remesh_options& options, const QR::Remeshing_re
                                  counted(part == parts.end() ? report.number_of_quads
                                                              : part->number_of_quads, "quad") +
                                  (part == parts.end() ? " are" : ",") +
-                                 " more than twice as many as wanted");
+                                 " more than twice as many as wanted; ask for more quads by "
+                                 "--number, or keep fewer features by a larger --feature-angle");
 }
 
 QR::Remeshing_report make_quads(const Remesh_options& options, const Mesh& mesh,
@@ -394,10 +395,15 @@ std::string note_on_pieces(const QR::Remeshing_report& report, const Model& mode
        << report.area_of_parts_left_out << (n == 1 ? "" : " in sum")
        << "; --area-threshold 0 keeps all\n";
   const auto& parts = report.parts_of_other_size;
-  for(std::size_t i = 0; i < parts.size() && i < most; ++i)
+  for(std::size_t i = 0; i < parts.size() && i < most; ++i) {
+    const bool has_more = double(parts[i].number_of_quads) > parts[i].number_wanted;
     os << "warning: " << name_of_piece(parts[i], model) << " has "
        << counted(parts[i].number_of_quads, "quad") << " in place of " << parts[i].number_wanted
-       << " of the wanted size, and needs " << parts[i].number_needed << "\n";
+       << " of the wanted size, so its quads are " << (has_more ? "smaller" : "larger");
+    if(has_more)
+      os << "; it needs " << parts[i].number_needed;
+    os << "\n";
+  }
   if(parts.size() > most)
     os << "warning: quads of " << parts.size() - most << " more pieces have another size\n";
   return os.str();

@@ -42,9 +42,10 @@ struct Snap_options
                     "degrees and a translation. It moves them by about the size of their errors.\n"
                     "\n"
                     "Files are .obj files, .ply files with a list 'texcoord' for each face, or - for\n"
-                    "the standard streams. If OUT has the format of IN, all else in the file stays as\n"
-                    "it is; otherwise materials, normals, colors and the like are lost. For\n"
-                    "tetrahedral meshes, see 'seamless snap IN.hexex --help'.\n");
+                    "the standard streams. A .ply file with s and t, or u and v, for each vertex is\n"
+                    "read, too. If OUT has the format of IN, all else in the file stays as it is;\n"
+                    "otherwise materials, normals, colors and the like are lost. For tetrahedral\n"
+                    "meshes, see 'seamless snap IN.hexex --help'.\n");
     options.add_file("input", input);
     options.add_file("output", output);
     seams.add_to(options);
@@ -100,7 +101,10 @@ void write_results(const Snap_options& options, const Model& model, const Uv_map
   std::ostream& os = summary_stream({options.output, options.report, options.picture});
   if(changes_format(model, options.output))
     os << "note: only the mesh of " << options.input << ", its coordinates, and its features are in "
-       << options.output << ", which is of another format\n";
+       << options.output
+       << (suffix_of(options.output) == suffix_of(options.input)
+             ? ", which has coordinates at corners in place of vertices\n"
+             : ", which is of another format\n");
   write_snap(os, summary);
   if(summary.report.status == SS::Outcome::SNAPPED && !summary.report.message.empty())
     os << "note: " << in_words_of_user(summary.report.message, model) << std::endl;

@@ -331,8 +331,8 @@ void trace(const Arguments& arguments)
     print_table(counts, options.maximum_number);
     const Pair_of_maps maps{model.mesh, model.uv_map, exact_map, options.tolerance};
     if(options.output.empty())
-      std::cout << "nothing is written; name a beginning of names, or a folder, to have pictures "
-                   "and curves\n";
+      std::cout << "no files are written; 'seamless trace IN NAME' writes pictures and curves to "
+                   "files whose names begin with NAME\n";
     else
       write_results(options, maps, inexact_tracer, exact_tracer, before, after);
   };

@@ -81,13 +81,16 @@ constexpr Row rows[] = {
   {"scale the map up by grid_scale", "scale the map up by --grid-scale"},
   {"the rounding_tolerance is", "without --number it may move by", in_hexes},
   {"the rounding_tolerance is", "--rounding is"},
-  {"raise it to at least this distance, or scale the map up by grid_scale",
+  {"raise rounding_tolerance to at least this distance, or scale the map up by "
+   "grid_scale",
    "ask for a number of hexahedra by --number, which rounds at any distance", in_hexes},
-  {"raise it to at least this distance, or scale the map up by grid_scale",
+  {"raise rounding_tolerance to at least this distance, or scale the map up by "
+   "grid_scale",
    "ask for a number of quads by --number, which finds integers for each map without flips, or "
-   "raise it to at least this distance", in_quads},
-  {"raise it to at least this distance, or scale the map up by grid_scale",
-   "raise it to at least this distance, or scale the map up by --grid-scale"},
+   "raise --rounding to at least this distance", in_quads},
+  {"raise rounding_tolerance to at least this distance, or scale the map up by "
+   "grid_scale",
+   "raise --rounding to at least this distance, or scale the map up by --grid-scale"},
   {"call snap_to_seamless() with integer_grid(true) first", "ask for a number of quads by --number"},
   {", or double the map: grid_scale(2)", ", or double the map by --grid-scale 2"},
   {"double the map, grid_scale(2), if the cones are half-integers, or use std::vector<std::size_t> "

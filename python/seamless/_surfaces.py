@@ -253,8 +253,8 @@ def quad_remesh(V, F=None, quads=None, *, edge_length=None, coarsest=False, maxi
         how long to make the edges at each vertex, ``(n,)``. With `quads`, only their ratios count; with
         `edge_length`, they are multiples of it; otherwise, they are lengths.
     curvature : float, optional
-        how strongly the quads follow the principal directions of curvature: 0.002 by default, 0 if sizes
-        vary; 0.1 and more follow them strongly, with more irregular vertices
+        how strongly the quads follow the principal directions of curvature: 0.002 by default, less on
+        large meshes, 0 if sizes vary; 0.1 and more follow them strongly, with more irregular vertices
     adaptivity : float
         make quads on flat parts larger than on curved parts, by at most this factor
     border_tolerance : float, optional

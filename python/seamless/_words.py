@@ -59,11 +59,12 @@ _WORDS = {
          None: "scale the map up by 'grid_scale'"},
     "the rounding_tolerance is":
         {"hexahedra": "without a number of 'hexahedra' it may move by", None: "'rounding' is"},
-    "raise it to at least this distance, or scale the map up by grid_scale":
+    "raise rounding_tolerance to at least this distance, or scale the map up by "
+    "grid_scale":
         {"hexahedra": "ask for a number of 'hexahedra', which rounds at any distance",
          "extract_quads": "ask for a number of 'quads', which finds integers for each map without "
-                          "flips, or raise it to at least this distance",
-         None: "raise it to at least this distance, or scale the map up by 'grid_scale'"},
+                          "flips, or raise 'rounding' to at least the distance",
+         None: "raise 'rounding' to at least the distance, or scale the map up by 'grid_scale'"},
     "call snap_to_seamless() with integer_grid(true) first": "ask for a number of 'quads'",
     ", or double the map: grid_scale(2)": ", or double the map by grid_scale=2",
     "snap_to_seamless() with integer_grid(true) and align_border(true) moves it to the grid":

@@ -203,11 +203,11 @@ private:
 
     throw File_refusal(line(fault),
                        edge + " has the same direction in two faces ("
-                       + places({first, last}, " and ") + "): "
-                       + (have_same_vertices(first[0], first[1])
-                            ? "they have the same vertices; remove one of them"
-                          : is_orientable() ? "orient the faces consistently first"
-                                          : "the surface is not orientable"));
+                       + places({first, last}, " and ") + ")" +
+                       (have_same_vertices(first[0], first[1])
+                          ? ": they have the same vertices" + remedy("remove one of them")
+                        : is_orientable() ? remedy("orient the faces consistently first")
+                                          : Message(": the surface is not orientable")));
   }
 
   bool have_same_vertices(const Side& a, const Side& b) const

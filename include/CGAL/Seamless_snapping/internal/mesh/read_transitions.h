@@ -223,10 +223,10 @@ private:
     Message hint = hint_on_other_symmetry(data);
     if(hint.empty() && 2 * count > data.edges.size() &&
        worst_violation > far_from_seamless * (data.extent * m_scale))
-      hint = remedy("most of " + counted(data.edges.size(), "cut edge") + " miss by so much that "
-                    "this is no inaccuracy: parametrizations that leave the border of a cut "
-                    "surface free, such as ARAP and LSCM, are not seamless; compute an orbifold "
-                    "embedding, an integer-grid map, or a map that is aligned to a cross field");
+      hint = "; this is no inaccuracy: parametrizations that leave the border of a cut surface "
+             "free, such as ARAP and LSCM, are not seamless" +
+             remedy("compute an orbifold embedding, an integer-grid map, or a map that is aligned "
+                    "to a cross field");
     fail(data, Outcome::NOT_SEAMLESS, worst->halfedge,
          " has sides that differ by " + short_number(worst_violation / (data.extent * m_scale)) +
          " of the extent, more than the tolerance of " + short_number(m_tolerance) +

@@ -302,8 +302,8 @@ private:
                      short_number(worst->distance()) + " to reach the integer that fits the "
                      "others, but " + term("the rounding_tolerance is") + " " +
                      short_number(tolerance) +
-                     remedy("raise it to at least this distance, or scale the map up by "
-                            "grid_scale"));
+                     remedy("raise rounding_tolerance to at least this distance, or scale the map "
+                            "up by grid_scale"));
   }
 
   // Null if there is none but of points that are free to move.

@@ -283,8 +283,8 @@ public:
                        " to reach the integer that fits the others, but " +
                        internal::term("the rounding_tolerance is") + " " +
                        short_number(m_rounding_tolerance) +
-                       remedy("raise it to at least this distance, or scale the map up by "
-                              "grid_scale"));
+                       remedy("raise rounding_tolerance to at least this distance, or scale the "
+                              "map up by grid_scale"));
     if(!expand(displacement, is_far, rounded))
       return not_representable();
     if(!is_on_integers(m_volume, m_constraints, rounded))
