@@ -3114,7 +3114,9 @@ void check_mending(Flat_quads& flat, const bool has_single_precision,
   const auto faces_down = [&](const auto f) // other than the square
     { return QR::internal::quad_normal(smoother.quad(f))[2] < 0; };
   for(const auto f : flat.quads.faces())
-    CHECK_EQUAL(upper_sides.is_folded(f), faces_down(f));
+    CHECK_EQUAL(upper_sides.is_folded(f),
+                faces_down(f) ||
+                  QR::internal::has_corner_clearly_against(smoother.quad(f), {0, 0, 1}));
   const auto number_of_bad = [&] {
     std::size_t result = 0;
     for(const auto f : flat.quads.faces())
@@ -3236,6 +3238,47 @@ void test_folded_quads()
     CHECK(QR::internal::inner_product(locator.normal(quad),
                                       QR::internal::quad_normal(quad)) < 0);
     CHECK_EQUAL(upper_sides.is_folded(f), is_folded);
+  }
+}
+
+// A bow tie on a plane, two corners of which lie above it: all of its corners turn as its area
+// vector does, which is along the plane. Without the crossing, the quad is not folded.
+void test_bow_tie()
+{
+  for(const bool is_bow_tie : {false, true}) {
+    Mesh plane;
+    std::vector<Vertex> v;
+    for(const Point_3& p : {Point_3(-2, -2, 0), Point_3(2, -2, 0), Point_3(2, 2, 0),
+                            Point_3(-2, 2, 0)})
+      v.push_back(plane.add_vertex(p));
+    plane.add_face(v[0], v[1], v[2]);
+    plane.add_face(v[0], v[2], v[3]);
+    // one that is no plane as a whole, so that vertices may leave it
+    plane.add_face(plane.add_vertex(Point_3(3, 0, 0)), plane.add_vertex(Point_3(4, 0, 0)),
+                   plane.add_vertex(Point_3(3, 0, 1)));
+    const internal::Surface_to_remesh surface = surface_to_remesh(plane);
+    std::vector<Point_3> points{Point_3(0, 0, 0), Point_3(1, 0, 0.125), Point_3(1, 1, 0),
+                                Point_3(0, 1, 0.125)};
+    if(is_bow_tie)
+      std::swap(points[1], points[2]);
+    Mesh quads;
+    std::vector<Vertex> corners;
+    for(const Point_3& p : points)
+      corners.push_back(quads.add_vertex(p));
+    const auto f = quads.add_face(corners);
+    scale(quads, 1 / surface.unscaled(1));
+    const QR::internal::Surface_locator locator(surface.mesh());
+    QR::internal::Quad_smoother smoother(quads, locator);
+    const auto is_feature = quads.add_property_map<Mesh::Edge_index, bool>("e:line", false).first;
+    QR::internal::Upper_sides upper_sides(quads, is_feature, surface, smoother);
+    CHECK(!QR::internal::is_inverted(smoother.quad(f)));
+    CHECK_EQUAL(upper_sides.is_folded(f), is_bow_tie);
+    CHECK_EQUAL(upper_sides.update(), is_bow_tie ? 1u : 0u);
+    CHECK_EQUAL(smoother.is_bad(f), is_bow_tie);
+    QR::internal::Quad_mender mender(quads, is_feature, smoother, false);
+    mender.run(false);
+    CHECK_EQUAL(mender.number_of_displaced_vertices() > 0, is_bow_tie);
+    CHECK(!QR::internal::is_inverted(smoother.quad(f)) && !upper_sides.is_folded(f));
   }
 }
 
@@ -3718,6 +3761,7 @@ int main()
   test_division();
   test_mending();
   test_folded_quads();
+  test_bow_tie();
   test_quad_across_fin();
   test_quads_that_turn_back();
   test_coarse_quads();

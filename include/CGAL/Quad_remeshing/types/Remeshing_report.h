@@ -79,10 +79,10 @@ struct Remeshing_report
   /// the first of these quads, at most ten, counted from 0 in the order in which the faces were
   /// written
   std::vector<std::size_t> first_inverted_quads;
-  /// other quads that are folded: they face against the surface below them, or they turn back on a
-  /// neighbor although the surface below the two does not. Such quads cover a part of the surface
-  /// more than once, whatever their own shape is. A sharp edge, a thin wall, or a bend of the input
-  /// that is narrower than a quad is no fold. This is decided in floating point.
+  /// other quads that are folded: they, or a corner of them, face against the surface below, or
+  /// they turn back on a neighbor although the surface does not. Such quads cover a part of the
+  /// surface more than once, whatever their own shape is. A sharp edge, a thin wall, or a bend of
+  /// the input that is narrower than a quad is no fold. This is decided in floating point.
   std::size_t number_of_folded_quads = 0;
   /// the first of these quads, counted like `first_inverted_quads`
   std::vector<std::size_t> first_folded_quads;

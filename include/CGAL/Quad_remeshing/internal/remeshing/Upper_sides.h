@@ -15,9 +15,10 @@
 
 #include <CGAL/license/Quad_remeshing.h>
 
-// Which quads are folded: they lie upside down on the surface, or turn back on a neighbor although
-// the surface does not. The nearest part of the surface in space may be another part, so walks over
-// the surface find the places below a quad, from the places of its corners at the extraction.
+// Which quads are folded: they, or a corner of them, lie upside down on the surface, or they turn
+// back on a neighbor although the surface does not. The nearest part of the surface in space may be
+// another part, so walks over the surface find the places below a quad, from the places of its
+// corners at the extraction.
 
 #include <CGAL/Quad_remeshing/internal/remeshing/Feature_lines.h>
 #include <CGAL/Quad_remeshing/internal/remeshing/Nearest_place_tree.h>
@@ -56,7 +57,10 @@ public:
   std::size_t number_of_walks() const { return m_number_of_walks; }
 
   bool is_folded(const Face f) const
-  { return is_upside_down(f) || side_that_it_turns_from(f) != Space_vector{}; }
+  {
+    return is_upside_down(f) || is_bow_tie(f, has_corner_clearly_against) ||
+           side_that_it_turns_from(f) != Space_vector{};
+  }
 
   // Tells the smoother where the quads are to face that are inverted or folded: as the surface does
   // on the average, or as the quad does on which they turn back. Returns their number.
@@ -65,7 +69,8 @@ public:
     std::size_t number = 0;
     for(const Face f : faces(m_quads)) {
       const Quad q = m_smoother.quad(f);
-      const bool is_bad = is_upside_down(f) || is_inverted(q);
+      const bool is_bad =
+        is_upside_down(f) || is_bow_tie(f, has_corner_against) || is_inverted(q);
       const Space_vector side = is_bad ? upper_side(f, q) : side_that_it_turns_from(f);
       m_smoother.upper_sides()[f] = side;
       number += is_bad || side != Space_vector{};
@@ -93,6 +98,20 @@ private:
     const Quad q = m_smoother.quad(f);
     return is_suspicious(f, q) &&
            inner_product(scaled_to_one(quad_normal(q)), upper_side(f, q)) < clearly;
+  }
+
+  // Whether a corner faces against all of the surface below the quad.
+  template <typename Has_corner_against>
+  bool is_bow_tie(const Face f, const Has_corner_against& has_corner_against) const
+  {
+    constexpr double bent = 0.5; // a scaled Jacobian; those of bow ties are near 0
+    const Quad q = m_smoother.quad(f);
+    if(scaled_jacobian(q, quad_normal(q)) >= bent)
+      return false;
+    const Normals& below = normals_below(f, q);
+    const auto is_against = [&](const Space_vector& n) { return has_corner_against(q, n); };
+    return std::all_of(below.by_walks.begin(), below.by_walks.end(), is_against) &&
+           std::all_of(below.others.begin(), below.others.end(), is_against);
   }
 
   // If a quad and one beside it turn back on each other, and this one faces at least as far from

@@ -223,7 +223,8 @@ public:
   bool is_bad(const Face f) const
   {
     const Quad q = quad(f);
-    return is_inverted(q) || inner_product(quad_normal(q), m_upper_sides[f]) < 0;
+    return is_inverted(q) || inner_product(quad_normal(q), m_upper_sides[f]) < 0 ||
+           has_corner_against(q, m_upper_sides[f]);
   }
 
 private:
