@@ -163,17 +163,24 @@ void triangulate(const Polygon_soup& soup, Model& model, Repairs& repairs)
                                         "can't be triangulated");
 }
 
+// Holes of few edges are filled by the best of all triangulations, which takes the third power of
+// their number: seconds for the most. Others are filled by triangles of the Delaunay triangulation,
+// which may take CGAL for ever if the border lies on a grid.
 void fill_holes(const std::size_t most_edges, Model& model, Repairs& repairs)
 {
+  constexpr std::size_t few = 500; // edges
   Mesh& mesh = model.mesh;
   const Size_near_one size(mesh);
   for(const Halfedge h : border_loops(mesh)) {
     const auto around = CGAL::halfedges_around_face(h, mesh);
-    if(std::size_t(std::distance(around.begin(), around.end())) > most_edges)
+    const auto number_of_edges = std::size_t(std::distance(around.begin(), around.end()));
+    if(number_of_edges > most_edges)
       continue;
     const std::size_t of_file = model.file_faces[mesh.face(mesh.opposite(h))];
     std::vector<Mesh::Face_index> faces;
-    PMP::triangulate_hole(mesh, h, std::back_inserter(faces));
+    PMP::triangulate_hole(
+      mesh, h, std::back_inserter(faces),
+      CGAL::parameters::use_delaunay_triangulation(number_of_edges > few));
     model.file_faces.resize(mesh.number_of_faces(), of_file); // as the neighbors, for attributes
     repairs.filled_holes += faces.empty() ? 0 : 1;
     repairs.faces_of_filled_holes += faces.size();
