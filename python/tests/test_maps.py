@@ -58,7 +58,7 @@ def test_quantization(torus):
 
 
 @pytest.mark.parametrize("name", ["genus0.obj", "genus2.obj", "genus2_border.obj"])
-@pytest.mark.parametrize("number", [100, 1500])
+@pytest.mark.parametrize("number", [150, 1500])
 def test_program_quads(program, load, tmp_path, name, number):
     program("quads", DATA / name, tmp_path / "out.obj", "--number", number)
     mesh, made = load(name), Obj(tmp_path / "out.obj")

@@ -239,7 +239,7 @@ void test_refused_surfaces()
     return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 2\nvt 0 0\n" + statements;
   };
   check_refused(faces("f 1/1 2/1 3/1\nf 1/1 2/1 4/1\n"), 8,
-                "edge 1 2 has the same direction in two faces (lines 7 and 8): orient the faces");
+                "edge 1 2 has the same direction in two faces (lines 7 and 8); orient the faces");
   check_refused(faces("f 1/1 2/1 3/1\nf 2/1 1/1 4/1\nf 1/1 2/1 5/1\n"), 9,
                 "edge 1 2 is not manifold: 3 faces share it (lines 7, 8, 9)");
   check_refused(faces("f 1/1 2/1 3/1\nf 2/1 3/1 1/1\n"), 8, "same direction");

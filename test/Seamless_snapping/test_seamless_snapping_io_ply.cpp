@@ -127,7 +127,7 @@ void test_refused()
   check(replaced(text, "3 0 2 3", "3 0 2. 3"), "face 1: '2.' is not an integer");
   check(replaced(text, "6 5 5 6 5 6 6", "0"), "face 1: has 0 texture coordinates, but needs 6");
   check(replaced(text, "3 0 2 3", "3 2 0 3"),
-        "edge 0 2 has the same direction in two faces (faces 0 and 1): orient the faces "
+        "edge 0 2 has the same direction in two faces (faces 0 and 1); orient the faces "
         "consistently first");
   check(replaced(text, "face 2", "face 3"), "face 2: the file ends here");
   check(replaced(text, "face 2", "face 0"), "the file has no face");
