@@ -449,7 +449,7 @@ seamless(3 parametrize open.off repaired.obj --fill-holes 4 --strict)
 expect_message("${err}" "1 hole was filled by --fill-holes")
 seamless(2 parametrize open.off repaired.obj --fill-holes 2)
 expect_message("${err}" "--fill-holes must be")
-# a border on a grid, which CGAL fills by Delaunay triangles at no time that is known
+# a border on a grid: CGAL did not fill it by Delaunay triangles within minutes
 set(points "")
 set(triangles "")
 foreach(i RANGE 45)

@@ -3116,7 +3116,8 @@ void check_mending(Flat_quads& flat, const bool has_single_precision,
   for(const auto f : flat.quads.faces())
     CHECK_EQUAL(upper_sides.is_folded(f),
                 faces_down(f) ||
-                  QR::internal::has_corner_clearly_against(smoother.quad(f), {0, 0, 1}));
+                  QR::internal::has_corner_against(smoother.quad(f), {0, 0, 1},
+                                                   QR::internal::clearly_against));
   const auto number_of_bad = [&] {
     std::size_t result = 0;
     for(const auto f : flat.quads.faces())

@@ -9,10 +9,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iostream>
-#include <iterator>
 #include <random>
 #include <set>
 #include <vector>

@@ -242,7 +242,7 @@ private:
   // the best ones have a bad shape, others are made, and larger numbers of the same map if few.
   void make_all(Candidate& candidate)
   {
-    constexpr double step = 0.1; // a part of the number of quads
+    constexpr double step = 0.1; // a part of few quads, to the next number
     reset_report(candidate);
     Map_quantizer quantizer(candidate.run);
     std::vector<Remeshing_run::State> states = quantizer.run();
@@ -265,7 +265,7 @@ private:
   // Quads of slightly larger numbers only, because the candidate's own quantizations are known.
   void make_slightly_more(Candidate& candidate)
   {
-    constexpr double step = 0.02; // a part of the number of quads
+    constexpr double step = 0.02; // a part of many quads, to the next number
     reset_report(candidate);
     Map_quantizer quantizer(candidate.run);
     const std::vector<Remeshing_run::State> states = quantizer.run();

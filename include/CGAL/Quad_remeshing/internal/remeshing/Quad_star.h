@@ -119,7 +119,7 @@ public:
     for(std::size_t i = 0; i < m_faces.size(); ++i) {
       const Quad q = m_smoother.quad(m_faces[i]);
       if(!m_was_bad[i] && (is_inverted(q) || !(inner_product(quad_normal(q), m_sides[i]) > 0) ||
-                           has_corner_clearly_against(q, m_sides[i])))
+                           has_corner_against(q, m_sides[i], clearly_against)))
         return false;
     }
     return true;
@@ -159,7 +159,7 @@ private:
     const Quad q = m_smoother.quad(m_faces[i]);
     Space_vector normal = quad_normal(q);
     const double along = inner_product(normal, m_sides[i]);
-    if(corners == Corners::FLAT && has_corner_against(q, m_sides[i]))
+    if(corners == Corners::FLAT && has_corner_against(q, m_sides[i], slightly_against))
       normal = m_sides[i];
     else if(along < 0)
       for(double& x : normal)

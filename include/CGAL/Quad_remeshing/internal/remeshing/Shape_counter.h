@@ -61,20 +61,14 @@ inline double scaled_jacobian(const Quad_in_space& q, const Space_vector& normal
   return (std::min)(1., *std::min_element(sines.begin(), sines.end()));
 }
 
+// Less is to be mended, and far less is no bend of the quad.
+constexpr double slightly_against = -0.02, clearly_against = -0.3; // sines, times cosines to a side
+
 // Whether a corner faces against a side of the surface, as two corners of a bow tie do. If the bow
 // tie bends a little, its area vector is along the surface, and no corner is against that.
-inline bool has_corner_against(const Quad_in_space& q, const Space_vector& side)
-{
-  constexpr double flat = -0.02; // a sine, times the cosine of the angle to the side
-  return side != Space_vector{} && scaled_jacobian(q, side) < flat;
-}
-
-// Whether a corner faces so far against a side that the reason is no bend of the quad.
-inline bool has_corner_clearly_against(const Quad_in_space& q, const Space_vector& side)
-{
-  constexpr double clearly = -0.3; // a sine, times the cosine of the angle to the side
-  return side != Space_vector{} && scaled_jacobian(q, side) < clearly;
-}
+inline bool has_corner_against(const Quad_in_space& q, const Space_vector& side,
+                               const double bound)
+{ return side != Space_vector{} && scaled_jacobian(q, side) < bound; }
 
 // As seen along its own normal.
 inline double scaled_jacobian(const Quad_in_space& q) { return scaled_jacobian(q, quad_normal(q)); }

@@ -58,7 +58,7 @@ public:
 
   bool is_folded(const Face f) const
   {
-    return is_upside_down(f) || is_bow_tie(f, has_corner_clearly_against) ||
+    return is_upside_down(f) || is_bow_tie(f, clearly_against) ||
            side_that_it_turns_from(f) != Space_vector{};
   }
 
@@ -70,7 +70,7 @@ public:
     for(const Face f : faces(m_quads)) {
       const Quad q = m_smoother.quad(f);
       const bool is_bad =
-        is_upside_down(f) || is_bow_tie(f, has_corner_against) || is_inverted(q);
+        is_upside_down(f) || is_bow_tie(f, slightly_against) || is_inverted(q);
       const Space_vector side = is_bad ? upper_side(f, q) : side_that_it_turns_from(f);
       m_smoother.upper_sides()[f] = side;
       number += is_bad || side != Space_vector{};
@@ -101,15 +101,14 @@ private:
   }
 
   // Whether a corner faces against all of the surface below the quad.
-  template <typename Has_corner_against>
-  bool is_bow_tie(const Face f, const Has_corner_against& has_corner_against) const
+  bool is_bow_tie(const Face f, const double bound) const
   {
     constexpr double bent = 0.5; // a scaled Jacobian; those of bow ties are near 0
     const Quad q = m_smoother.quad(f);
-    if(scaled_jacobian(q, quad_normal(q)) >= bent)
+    if(scaled_jacobian(q) >= bent)
       return false;
     const Normals& below = normals_below(f, q);
-    const auto is_against = [&](const Space_vector& n) { return has_corner_against(q, n); };
+    const auto is_against = [&](const Space_vector& n) { return has_corner_against(q, n, bound); };
     return std::all_of(below.by_walks.begin(), below.by_walks.end(), is_against) &&
            std::all_of(below.others.begin(), below.others.end(), is_against);
   }

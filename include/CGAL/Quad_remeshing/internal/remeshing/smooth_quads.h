@@ -224,7 +224,7 @@ public:
   {
     const Quad q = quad(f);
     return is_inverted(q) || inner_product(quad_normal(q), m_upper_sides[f]) < 0 ||
-           has_corner_against(q, m_upper_sides[f]);
+           has_corner_against(q, m_upper_sides[f], slightly_against);
   }
 
 private:
