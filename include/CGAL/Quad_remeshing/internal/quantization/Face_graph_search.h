@@ -21,7 +21,7 @@
 // around vertices of one edge, which are left out.
 //
 // The numbers that are tried are steps of a ladder that doesn't depend on the wanted number, so
-// that the result grows with it, up to the tolerance.
+// that the result grows with it, up to the tolerances.
 
 #include <CGAL/Quad_remeshing/internal/cells/Cell_extractor.h>
 #include <CGAL/Quad_remeshing/internal/cells/Line_between_quads.h>
@@ -213,7 +213,8 @@ class Face_graph_search
   static constexpr int steps_per_division = 56; // steps of 2.5 %
   // the first quads that can be divided are at times half as many again as in the next steps
   static constexpr int most_steps = (2 * most_divisions + 1) * steps_per_division / 2;
-  static constexpr double tolerance = 0.05; // by which a smaller target may give more quads
+  static constexpr double tolerance = 0.05; // by which fewer quads than wanted may be found
+  static constexpr double enough = 1.1; // times as many as wanted: a success at once
 
 public:
   // \param maximum_number of quads: what has more is neither checked nor searched on
@@ -226,7 +227,7 @@ public:
   { }
 
   // The result; or a quantization that is none, or has more quads than the largest number. It is
-  // not less than that for a smaller number, up to the tolerance.
+  // not less than that for a smaller number, up to the tolerances.
   Quantized_complex run(const double wanted)
   {
     m_wanted = wanted;
@@ -250,12 +251,13 @@ private:
   { return int(std::lround(std::log2(number) * steps_per_division / 2)); }
   static double number_at(const int step) { return std::exp2(2. * step / steps_per_division); }
 
-  // So that nothing better is left to be found: most often, the first one is so.
+  // Most often, the first face graph is enough. A division that has slightly fewer quads has a
+  // worse shape, because all its lengths are even.
   bool is_reached()
   {
     const Face_graph& found = face_graph(m_best, 0);
     return found.exists && found.number_of_quads >= (1 - tolerance) * m_wanted &&
-           found.number_of_quads <= number_at(m_best + 1);
+           found.number_of_quads <= enough * m_wanted;
   }
 
   void search()
