@@ -251,7 +251,7 @@ void test_rows()
 
 // --- orientations --------------------------------------------------------------------------------
 
-int exact_orientation(const Uv_triangle& t)
+int rational_orientation(const Uv_triangle& t)
 {
   const Exact_point a = difference(t[1], t[0]), b = difference(t[2], t[0]);
   return int(CGAL::sign(Rational(a[0] * b[1] - a[1] * b[0])));
@@ -285,18 +285,18 @@ void test_orientations()
     c[std::size_t(below(random, 2))] += height;
     const bool is_right = i % 5 == 0;
     const Uv_triangle t = is_right ? Uv_triangle{{{b[0], a[1]}, a, b}} : Uv_triangle{{a, b, c}};
-    CHECK_EQUAL(int(orientation(t)), exact_orientation(t));
-    degenerate += exact_orientation(t) == 0 ? 1 : 0;
+    CHECK_EQUAL(int(orientation(t)), rational_orientation(t));
+    degenerate += rational_orientation(t) == 0 ? 1 : 0;
     if(!is_surely_positive(t, 0))
       continue;
     ++sure;
-    CHECK_EQUAL(exact_orientation(t), 1);
+    CHECK_EQUAL(rational_orientation(t), 1);
     const double reach = largest_sure_reach(t);
     for(int corners = 0; corners < 64; ++corners) { // the worst moves are along both axes
       Uv_triangle moved = t;
       for(std::size_t k = 0; k < 6; ++k)
         moved[k / 2][k % 2] += (corners >> k) % 2 == 0 ? reach : -reach;
-      CHECK(exact_orientation(moved) == 1);
+      CHECK(rational_orientation(moved) == 1);
     }
   }
   CHECK(degenerate > 1000 && sure > 1000);
