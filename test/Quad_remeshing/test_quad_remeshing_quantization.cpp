@@ -884,6 +884,11 @@ void test_choices_of_search()
   // what is found later is taken only if it has fewer quads
   CHECK(searched_number([](const double n) { return (n < 500 ? 1.2 : 1.04) * n; },
                         [](const double n) { return n < 500 ? 1 : 0; }, 1000, infinity) < 1060);
+  CHECK(searched_number([](const double n) { return (n < 500 ? 1.2 : 1.12) * n; },
+                        [](const double n) { return n < 500 ? 1 : 0; }, 1000, infinity) < 1140);
+  // a division with slightly fewer quads does not take the place of about as many as are wanted
+  CHECK(searched_number([](const double n) { return (n < 500 ? 1. : 1.08) * n; },
+                        [](const double) { return 0; }, 1000, infinity) > 1070);
   // what is no face graph, and can't be made one, is passed over
   CHECK(searched_number([](const double n) { return n; },
                         [](const double n) { return n < 200 ? 3 : 0; }, 100, infinity) > 190);

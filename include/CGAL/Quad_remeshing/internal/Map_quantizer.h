@@ -77,7 +77,7 @@ public:
       result.push_back(best);
     const auto least = [&] { return double(best.quantization.number_of_quads); };
     const auto may_try = [&](const int rung) {
-      return least() > 1.1 * number() && best.quantization.number_of_forced_quads == 0 &&
+      return least() > about_as_many * number() && best.quantization.number_of_forced_quads == 0 &&
              best.report.number_of_released_edges == 0 &&
              0.67 * number_on_ladder(rung) < least() && // 0.95 / sqrt(2)
              m_run.work.is_half_left();

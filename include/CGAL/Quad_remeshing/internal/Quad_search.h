@@ -410,7 +410,7 @@ private:
   bool has_more_than_wanted(const Remeshing_report& r) const
   {
     return m_options.quantization.is_coarsest ||
-           double(r.number_of_quads) >= 1.1 * m_options.quantization.number_of_quads;
+           double(r.number_of_quads) >= about_as_many * m_options.quantization.number_of_quads;
   }
 
   // Where more quads than wanted are forced, they have less room for their shape.

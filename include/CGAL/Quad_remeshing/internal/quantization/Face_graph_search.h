@@ -27,6 +27,7 @@
 #include <CGAL/Quad_remeshing/internal/cells/Line_between_quads.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Intrinsic_complex.h>
 #include <CGAL/Quad_remeshing/internal/quantization/Strip_moves.h>
+#include <CGAL/Quad_remeshing/internal/quantization/quads_needed.h>
 #include <CGAL/Quad_remeshing/internal/quantization/quantize_complex.h>
 #include <CGAL/Quad_remeshing/internal/support/Work.h>
 
@@ -214,7 +215,6 @@ class Face_graph_search
   // the first quads that can be divided are at times half as many again as in the next steps
   static constexpr int most_steps = (2 * most_divisions + 1) * steps_per_division / 2;
   static constexpr double tolerance = 0.05; // by which fewer quads than wanted may be found
-  static constexpr double enough = 1.1; // times as many as wanted: a success at once
 
 public:
   // \param maximum_number of quads: what has more is neither checked nor searched on
@@ -257,7 +257,7 @@ private:
   {
     const Face_graph& found = face_graph(m_best, 0);
     return found.exists && found.number_of_quads >= (1 - tolerance) * m_wanted &&
-           found.number_of_quads <= enough * m_wanted;
+           found.number_of_quads <= about_as_many * m_wanted;
   }
 
   void search()

@@ -30,6 +30,7 @@ namespace Quad_remeshing {
 namespace internal {
 
 constexpr std::size_t quads_of_handle = 9; // about as many as a torus takes
+constexpr double about_as_many = 1.1; // times as many quads as wanted, at most
 
 struct Quads_needed
 {

@@ -277,7 +277,7 @@ private:
   }
 
   bool has_more_than_wanted() const
-  { return double(m_result.number_of_quads) > 1.1 * m_options.number_of_quads; }
+  { return double(m_result.number_of_quads) > about_as_many * m_options.number_of_quads; }
 
   bool has_too_many() const
   { return double(m_result.number_of_quads) > m_options.maximum_number; }
@@ -365,7 +365,7 @@ public:
       }
       first = round == 0 ? number : first;
       if(round == most_rounds ||
-         (!m_options.is_coarsest && number <= 1.1 * m_options.number_of_quads))
+         (!m_options.is_coarsest && number <= about_as_many * m_options.number_of_quads))
         break;
       const double lost = length_in_map(surface->input, released);
       Costly_features costly(*surface, finder.wanted_scales());
